@@ -1,0 +1,48 @@
+#include "contact/plastic_sinkage.h"
+
+#include "contact/equilibrium.h"
+
+namespace softsoil {
+namespace {
+
+// The radius must come from above: a vertical column of soil meets the tire from below.
+constexpr double kLeastDescent = 0.1;
+
+// The tire above a grid node at `ground_w` whose surface lies `depth` [m] below the undisturbed
+// ground; false where the tire does not reach it. As the node sinks by u the penetration falls by
+// u cos(kappa).
+bool PointBelow(const TireShape& shape, const TirePose& pose, const Eigen::Vector3d& ground_w,
+                double depth, PressedPoint* point) {
+  const Eigen::Vector3d from_centre = ground_w - pose.centre_w;
+  const Eigen::Vector3d axis = pose.frame_w.col(1);
+  const double lateral = from_centre.dot(axis);
+  const Eigen::Vector3d in_plane = from_centre - lateral * axis;
+  const double distance = in_plane.norm();
+  const double radius = RadiusAt(shape, lateral);
+  if (distance >= radius || distance <= 0) return false;
+  const double cosine = -in_plane.z() / distance;
+  if (cosine < kLeastDescent) return false;
+  *point = {radius - distance, depth, cosine, 1.0};
+  return true;
+}
+
+}  // namespace
+
+void PlasticSinkage(const Tire& tire, const TirePose& pose, const SurfacePatch& patch,
+                    const Soil& soil, std::vector<NodeSinkage>* sinkage) {
+  sinkage->clear();
+  const double k_e = BearingModulus(soil.bearing, tire.shape.width);
+  for (int a = 0; a < patch.nodes_x(); ++a) {
+    for (int b = 0; b < patch.nodes_y(); ++b) {
+      const GridNode node{patch.first().i + a, patch.first().j + b};
+      const Eigen::Vector3d ground_w(node.i * patch.spacing(), node.j * patch.spacing(),
+                                     patch.Height(a, b));
+      PressedPoint point;
+      if (!PointBelow(tire.shape, pose, ground_w, patch.Sinkage(a, b), &point)) continue;
+      const PressedState state = Equilibrium(tire.spring, k_e, soil.bearing.n, point);
+      if (state.yields) sinkage->push_back({node, state.depth});
+    }
+  }
+}
+
+}  // namespace softsoil

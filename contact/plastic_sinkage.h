@@ -1,0 +1,19 @@
+// The bearing sinkage that a wheel leaves in the ground.
+#pragma once
+
+#include <vector>
+
+#include "contact/wheel_contact.h"
+
+namespace softsoil {
+
+// Sinkage at the grid nodes below the wheel where the soil yields: at each, the depth at which
+// tire pressure and bearing capacity balance. Fills `sinkage` anew.
+//
+// It is worked out at the grid nodes, from the tire's surface above each. Scattering the tire's
+// nodes onto the grid instead would let the rut creep ahead of the wheel, and the motion
+// resistance would disappear.
+void PlasticSinkage(const Tire& tire, const TirePose& pose, const SurfacePatch& patch,
+                    const Soil& soil, std::vector<NodeSinkage>* sinkage);
+
+}  // namespace softsoil

@@ -1,0 +1,34 @@
+#include "contact/soft_wheels.h"
+
+#include "contact/plastic_sinkage.h"
+
+namespace softsoil {
+
+SoftWheels::SoftWheels(const Soil& soil, const GroundSettings& settings,
+                       UndisturbedHeight undisturbed, const std::vector<Tire>& tires)
+    : ground_(soil, settings, std::move(undisturbed), static_cast<int>(tires.size())) {
+  for (const Tire& tire : tires) wheels_.emplace_back(tire, settings.grid_spacing);
+}
+
+void SoftWheels::Evaluate(int wheel, const TirePose& pose, double h, PatchForces* forces) const {
+  wheels_[wheel].Evaluate(pose, ground_.surface(), ground_.soil(), h, forces);
+}
+
+void SoftWheels::Commit(const std::vector<TirePose>& poses, const std::vector<PatchForces>& forces,
+                        double h) {
+  for (int wheel = 0; wheel < size(); ++wheel) {
+    wheels_[wheel].Commit(forces[wheel]);
+    ground_.AddLoad(wheel, forces[wheel].surface, h);
+    if (ground_.settings().mode == SurfaceMode::kFlow) {
+      PlasticSinkage(tire(wheel), poses[wheel], forces[wheel].patch, ground_.soil(), &plastic_);
+      ground_.DeepenPlastic(plastic_);
+    }
+  }
+  ground_.Pass(h);
+}
+
+void SoftWheels::ForgetSlip() {
+  for (WheelContact& wheel : wheels_) wheel.Reset();
+}
+
+}  // namespace softsoil

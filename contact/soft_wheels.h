@@ -1,0 +1,39 @@
+// All wheels of a vehicle on one soft ground: the whole of softsoil without MuJoCo.
+#pragma once
+
+#include <vector>
+
+#include "contact/wheel_contact.h"
+#include "contact/wheel_report.h"
+#include "terrain/ground.h"
+
+namespace softsoil {
+
+class SoftWheels {
+ public:
+  // One tire per wheel. Throws InputError if a setting is out of range.
+  SoftWheels(const Soil& soil, const GroundSettings& settings, UndisturbedHeight undisturbed,
+             const std::vector<Tire>& tires);
+
+  int size() const { return static_cast<int>(wheels_.size()); }
+  const Tire& tire(int wheel) const { return wheels_[wheel].tire(); }
+  Ground& ground() { return ground_; }
+  const Ground& ground() const { return ground_; }
+
+  // Forces on a wheel at a pose, if held for h [s]. A question: changes nothing.
+  void Evaluate(int wheel, const TirePose& pose, double h, PatchForces* forces) const;
+
+  // The time step of h [s] is accepted with these poses and forces, one per wheel: slip memory,
+  // plastic sinkage and load enter the history, and simulated time passes.
+  void Commit(const std::vector<TirePose>& poses, const std::vector<PatchForces>& forces, double h);
+
+  // After a jump in time: the ground stays as it is, the wheels touch it anew.
+  void ForgetSlip();
+
+ private:
+  Ground ground_;
+  std::vector<WheelContact> wheels_;
+  std::vector<NodeSinkage> plastic_;  // scratch
+};
+
+}  // namespace softsoil

@@ -1,0 +1,34 @@
+// A tire: an elastic surface of revolution that rubs on soil.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "contact/tire_spring.h"
+#include "terrain/xml_catalogue.h"
+
+namespace softsoil {
+
+// Torus, outer radius r at the middle of the tread; its cross-section is an arc of the crown
+// radius r_beta. A cylinder has an infinite crown radius. Madsen (2014) section 4.2.
+struct TireShape {
+  double radius;        // [m]  r, > 0
+  double crown_radius;  // [m]  r_beta, >= width / 2; infinity for a cylinder
+  double width;         // [m]  b, > 0
+};
+
+struct Tire {
+  std::string name, description;
+  TireShape shape;
+  TireSpring spring;
+  double damping;        // [Pa s/m]  radial, >= 0
+  double soil_friction;  // [-]  mu_s between tire and soil, > 0
+};
+
+// An empty catalogue for files such as models/tires/agricultural.xml.
+Catalogue<Tire> TireCatalogue();
+
+// The numbers of a tire file that every tire has. <shape type="torus"> has a crown_radius besides.
+const std::vector<Attribute<Tire>>& TireAttributes();
+
+}  // namespace softsoil

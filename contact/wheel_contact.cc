@@ -1,0 +1,141 @@
+#include "contact/wheel_contact.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "contact/equilibrium.h"
+#include "terrain/input_error.h"
+
+namespace softsoil {
+namespace {
+
+using Eigen::Vector3d;
+
+constexpr double kFarthest = 1e6;  // [m]  grid indices stay far from overflow
+
+void RequireUsable(const TirePose& pose) {
+  const bool finite = pose.centre_w.allFinite() && pose.frame_w.allFinite() &&
+                      pose.velocity_w.allFinite() && pose.angular_velocity_w.allFinite();
+  if (!finite) throw std::runtime_error("the pose or velocity of the wheel is not finite");
+  if (pose.centre_w.cwiseAbs().maxCoeff() > kFarthest) {
+    throw std::runtime_error("the wheel is more than " + Shown(kFarthest) +
+                             " m from the origin");
+  }
+}
+
+// The part of the surface that a wheel can reach: its bounding box.
+void CopyFootprint(const TireShape& shape, const TirePose& pose, const Surface& surface,
+                   SurfacePatch* patch) {
+  const Vector3d axis = pose.frame_w.col(1);
+  const auto half_extent = [&](int k) {
+    return shape.radius * std::sqrt(std::max(0.0, 1 - axis[k] * axis[k])) +
+           shape.width / 2 * std::abs(axis[k]);
+  };
+  const Vector3d& c = pose.centre_w;
+  surface.CopyPatch(c.x() - half_extent(0), c.x() + half_extent(0), c.y() - half_extent(1),
+                    c.y() + half_extent(1), patch);
+}
+
+// Slope of the ground along the wheel radius, as the height lost per metre outward. On level
+// ground cos(kappa), kappa between the radius and the vertical.
+double Descent(const Vector3d& radial_w, double slope_x, double slope_y) {
+  return slope_x * radial_w.x() + slope_y * radial_w.y() - radial_w.z();
+}
+
+// A radius that runs along the ground would make the penetration infinite.
+constexpr double kLeastDescent = 0.1;
+
+// Speed [m/s] at which the wheel as a whole approaches the undisturbed ground.
+double ClosingSpeed(const TirePose& pose, const SurfacePoint& ground) {
+  return ground.undisturbed_x * pose.velocity_w.x() + ground.undisturbed_y * pose.velocity_w.y() -
+         pose.velocity_w.z();
+}
+
+// The damped pressure [Pa]. Neither does soil pull nor does it bear more than its capacity.
+double DampedPressure(const PressedState& state, double capacity, double damping, double closing) {
+  const double most = state.yields ? state.pressure : capacity;
+  return std::clamp(state.pressure + damping * closing, 0.0, most);
+}
+
+}  // namespace
+
+Wrench About(const Wrench& wrench, const Vector3d& at_w) {
+  return {wrench.force_w, wrench.torque_w + (wrench.at_w - at_w).cross(wrench.force_w), at_w};
+}
+
+WheelContact::WheelContact(const Tire& tire, double node_spacing)
+    : tire_(tire), nodes_(MakeTireNodes(tire.shape, node_spacing)) {
+  Reset();
+}
+
+void WheelContact::Reset() { mobilisation_.assign(nodes_.size(), {0, 0}); }
+
+void WheelContact::Evaluate(const TirePose& pose, const Surface& surface, const Soil& soil,
+                            double h, PatchForces* forces) const {
+  RequireUsable(pose);
+  CopyFootprint(tire_.shape, pose, surface, &forces->patch);
+  forces->wrench = Wrench{};
+  forces->wrench.at_w = pose.centre_w;
+  forces->contacts.clear();
+  forces->surface.clear();
+  const Vector3d up_t = pose.frame_w.row(2);
+  const double highest = forces->patch.highest() - pose.centre_w.z();
+  for (std::size_t i = 0; i < nodes_.size(); ++i) {
+    if (nodes_.position_t[i].dot(up_t) >= highest) continue;
+    NodeContact contact;
+    if (!Touch(static_cast<int>(i), pose, forces->patch, soil, h, &contact)) continue;
+    const Vector3d force_w = contact.normal_force_w + contact.shear_force_w;
+    forces->wrench.force_w += force_w;
+    forces->wrench.torque_w += (contact.point_w - pose.centre_w).cross(force_w);
+    forces->contacts.push_back(contact);
+    forces->surface.push_back({contact.point_w, -force_w});
+  }
+}
+
+bool WheelContact::Touch(int i, const TirePose& pose, const SurfacePatch& patch, const Soil& soil,
+                         double h, NodeContact* contact) const {
+  const Vector3d node_w = pose.centre_w + pose.frame_w * nodes_.position_t[i];
+  const SurfacePoint ground = patch.At(node_w.x(), node_w.y());
+  const double below = ground.height - node_w.z();
+  const Vector3d radial_w = pose.frame_w * nodes_.radial_t[i];
+  if (below <= 0 || radial_w.z() >= 0) return false;
+
+  const double k_e = BearingModulus(soil.bearing, tire_.shape.width), n = soil.bearing.n;
+  const double descent = Descent(radial_w, ground.slope_x, ground.slope_y);
+  PressedPoint point;
+  point.penetration = std::min(below / std::max(descent, kLeastDescent), nodes_.radius[i]);
+  point.depth = ground.sinkage;
+  point.release = 1;
+  point.deepening = std::max(
+      Descent(radial_w, ground.undisturbed_x, ground.undisturbed_y), kLeastDescent);
+  const PressedState state = Equilibrium(tire_.spring, k_e, n, point);
+
+  contact->node = i;
+  contact->pressure = DampedPressure(state, BearingPressure(k_e, n, point.depth), tire_.damping,
+                                     ClosingSpeed(pose, ground));
+  contact->area = LoadedArea(nodes_.area[i], nodes_.radius[i], state.penetration);
+  contact->depth = state.depth;
+  contact->point_w = node_w - state.penetration * radial_w;
+  contact->normal_force_w =
+      -contact->pressure * contact->area * (pose.frame_w * nodes_.normal_t[i]);
+
+  const Vector3d tangent_w = pose.frame_w * nodes_.tangent_t[i];
+  const Vector3d binormal_w = pose.frame_w * nodes_.binormal_t[i];
+  const Vector3d slip_w =
+      pose.velocity_w + pose.angular_velocity_w.cross(contact->point_w - pose.centre_w);
+  contact->mobilisation = Slip(mobilisation_[i], slip_w.dot(tangent_w), slip_w.dot(binormal_w), h,
+                               soil.shear.modulus);
+  const double strength = ShearStrength(soil.shear, tire_.soil_friction, contact->pressure);
+  contact->shear_force_w =
+      -strength * contact->area *
+      (contact->mobilisation.t * tangent_w + contact->mobilisation.b * binormal_w);
+  return true;
+}
+
+void WheelContact::Commit(const PatchForces& forces) {
+  Reset();
+  for (const NodeContact& c : forces.contacts) mobilisation_[c.node] = c.mobilisation;
+}
+
+}  // namespace softsoil

@@ -1,0 +1,82 @@
+// The contact of one wheel with soft ground. Force is a question: Evaluate() changes nothing.
+// The rut and the slip memory are events: Commit() is called once per accepted time step.
+#pragma once
+
+#include <Eigen/Geometry>
+#include <vector>
+
+#include "contact/tire_nodes.h"
+#include "terrain/shear.h"
+#include "terrain/soil.h"
+#include "terrain/surface.h"
+#include "terrain/surface_load.h"
+
+namespace softsoil {
+
+// Where a wheel is and how it moves. The tire frame turns with the wheel; its y axis is the spin
+// axis and points to the left of the vehicle.
+struct TirePose {
+  Eigen::Vector3d centre_w;            // [m]      on the spin axis, middle of the tread
+  Eigen::Matrix3d frame_w;             // [-]      columns: axes of the tire frame
+  Eigen::Vector3d velocity_w;          // [m/s]    of the centre
+  Eigen::Vector3d angular_velocity_w;  // [rad/s]
+};
+
+// Force [N] and torque [N m] on the wheel in world axes; torque taken about `at_w` [m].
+struct Wrench {
+  Eigen::Vector3d force_w = Eigen::Vector3d::Zero();
+  Eigen::Vector3d torque_w = Eigen::Vector3d::Zero();
+  Eigen::Vector3d at_w = Eigen::Vector3d::Zero();
+};
+
+// The same wrench about another point.
+Wrench About(const Wrench& wrench, const Eigen::Vector3d& at_w);
+
+// One node in contact.
+struct NodeContact {
+  int node;                         // of TireNodes
+  Eigen::Vector3d point_w;          // [m]   of the deformed tire
+  Eigen::Vector3d normal_force_w;   // [N]   on the wheel, from the pressure
+  Eigen::Vector3d shear_force_w;    // [N]   on the wheel
+  double pressure, area;            // [Pa], [m^2]
+  double depth;                     // [m]   below the undisturbed ground
+  Mobilisation mobilisation;        // at the end of the step
+};
+
+// Answer of Evaluate(). Reused between calls, so that a step allocates nothing.
+struct PatchForces {
+  Wrench wrench;                      // about the wheel centre
+  std::vector<NodeContact> contacts;  // in the order of the nodes
+  std::vector<SurfaceForce> surface;  // on the ground, one per contact
+  SurfacePatch patch;                 // the surface below the wheel
+};
+
+class WheelContact {
+ public:
+  // node_spacing [m] > 0 of the tire surface; the grid spacing is a good choice.
+  WheelContact(const Tire& tire, double node_spacing);
+
+  const Tire& tire() const { return tire_; }
+
+  // Forces at a pose, if the state is held for the step h [s]. Throws std::runtime_error if the
+  // pose is not finite or more than 1000 km away.
+  void Evaluate(const TirePose& pose, const Surface& surface, const Soil& soil, double h,
+                PatchForces* forces) const;
+
+  // Keeps the slip memory of the step; nodes that have left the ground forget theirs.
+  void Commit(const PatchForces& forces);
+
+  // Forgets all slip.
+  void Reset();
+
+ private:
+  // The contact of one node; false if it is above the ground.
+  bool Touch(int node, const TirePose& pose, const SurfacePatch& patch, const Soil& soil, double h,
+             NodeContact* contact) const;
+
+  Tire tire_;
+  TireNodes nodes_;
+  std::vector<Mobilisation> mobilisation_;  // by node
+};
+
+}  // namespace softsoil

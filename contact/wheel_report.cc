@@ -1,0 +1,70 @@
+#include "contact/wheel_report.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace softsoil {
+namespace {
+
+using Eigen::Vector3d;
+
+constexpr double kSlowest = 0.01;  // [m/s]  least speed in the slip ratio
+
+// The W axes of a wheel.
+struct Axes {
+  explicit Axes(const Vector3d& spin_axis_w) {
+    const Vector3d ahead = spin_axis_w.cross(Vector3d::UnitZ());
+    const double length = ahead.norm();
+    forward = length > 1e-9 ? Vector3d(ahead / length) : Vector3d::UnitX();  // lies on its side
+    left = Vector3d::UnitZ().cross(forward);
+  }
+  Vector3d forward, left;
+};
+
+double DeepestSurface(const TirePose& pose, const TireShape& shape, const SurfacePatch& patch) {
+  const Vector3d axis = pose.frame_w.col(1);
+  double deepest = 0;
+  for (int a = 0; a < patch.nodes_x(); ++a) {
+    for (int b = 0; b < patch.nodes_y(); ++b) {
+      const Vector3d node_w((patch.first().i + a) * patch.spacing(),
+                            (patch.first().j + b) * patch.spacing(), patch.Height(a, b));
+      const bool below_tread = std::abs((node_w - pose.centre_w).dot(axis)) <= shape.width / 2;
+      if (below_tread) deepest = std::max(deepest, patch.Sinkage(a, b));
+    }
+  }
+  return deepest;
+}
+
+}  // namespace
+
+WheelReport ReportOf(const Tire& tire, const TirePose& pose, const PatchForces& forces) {
+  const Vector3d axis = pose.frame_w.col(1);
+  const Axes axes(axis);
+  WheelReport report{};
+  report.load = forces.wrench.force_w.z();
+  report.rut_depth = DeepestSurface(pose, tire.shape, forces.patch);
+  report.camber = std::asin(std::clamp(axis.z(), -1.0, 1.0));
+  report.spin = pose.angular_velocity_w.dot(axis);
+
+  const double forward = pose.velocity_w.dot(axes.forward), left = pose.velocity_w.dot(axes.left);
+  const double speed = std::abs(forward) >= kSlowest ? forward : std::copysign(kSlowest, forward);
+  report.forward_speed = forward;
+  report.slip_ratio = (tire.shape.radius * report.spin - forward) / speed;
+  report.slip_angle = std::atan2(left, std::abs(forward));
+
+  for (const NodeContact& c : forces.contacts) {
+    report.thrust += c.shear_force_w.dot(axes.forward);
+    report.motion_resistance -= c.normal_force_w.dot(axes.forward);
+    report.sinkage = std::max(report.sinkage, c.depth);
+    report.contact_area += c.area;
+    report.mean_pressure += c.pressure * c.area;
+    report.peak_pressure = std::max(report.peak_pressure, c.pressure);
+  }
+  if (report.contact_area > 0) report.mean_pressure /= report.contact_area;
+  report.drawbar_pull = report.thrust - report.motion_resistance;
+  report.lateral_force = forces.wrench.force_w.dot(axes.left);
+  report.torque = -forces.wrench.torque_w.dot(axis);
+  return report;
+}
+
+}  // namespace softsoil

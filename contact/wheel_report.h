@@ -1,0 +1,40 @@
+// What a wheel does, in the terms of vehicle and terramechanics engineers.
+//
+// Axes and signs, used here and nowhere else described: the W axes of TYDEX (Standard Tire
+// Interface), the z-up form of SAE J670. Origin below the wheel centre on the ground; x horizontal
+// in the plane of the wheel, pointing the way the vehicle faces; z up; y to the left. Forces and
+// torques are those of the ground on the wheel. A wheel that rolls forward has a positive spin.
+//   slip ratio   (r w - v) / v with the unloaded radius r, spin w, forward speed v (4.8); positive
+//                when driven. Below 0.01 m/s that speed stands in for v.
+//   slip angle   atan2(v_y, |v_x|): positive when the wheel slides to the left.
+//   camber       rotation of the wheel plane about x: positive when its top leans to the right.
+#pragma once
+
+#include "contact/wheel_contact.h"
+
+namespace softsoil {
+
+struct WheelReport {
+  double load;               // [N]   vertical force
+  double sinkage;            // [m]   deepest contact below the undisturbed ground
+  double rut_depth;          // [m]   deepest surface below the wheel, of what stays
+  double slip_ratio;         // [-]
+  double slip_angle;         // [rad]
+  double camber;             // [rad]
+  double spin;               // [rad/s]
+  double forward_speed;      // [m/s]
+  double thrust;             // [N]   forward part of the shear forces
+  double motion_resistance;  // [N]   rearward part of the normal forces
+  double drawbar_pull;       // [N]   thrust - motion resistance
+  double lateral_force;      // [N]   along y
+  double torque;             // [N m] that drives the wheel against the ground: minus the ground's
+                             //       torque about the spin axis
+  double contact_area;       // [m^2]
+  double mean_pressure;      // [Pa]
+  double peak_pressure;      // [Pa]
+};
+
+
+WheelReport ReportOf(const Tire& tire, const TirePose& pose, const PatchForces& forces);
+
+}  // namespace softsoil

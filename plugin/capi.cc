@@ -1,0 +1,188 @@
+// The C interface. One fence: what is thrown inside becomes -1 and softsoil_error().
+#include <exception>
+#include <stdexcept>
+#include <string>
+
+#include "plugin/host.h"
+#include "plugin/registry.h"
+#include "plugin/softsoil.h"
+#include "terrain/input_error.h"
+
+namespace {
+
+using softsoil::InputError;
+using softsoil::Registry;
+using softsoil::Settings;
+using softsoil::SoilBinding;
+using softsoil::SoilEntry;
+
+std::string& LastError() {
+  thread_local std::string message;
+  return message;
+}
+
+template <class Body>
+int Fenced(const Body& body) {
+  try {
+    LastError().clear();
+    body();
+    return 0;
+  } catch (const std::exception& error) {
+    LastError() = error.what();
+  } catch (...) {
+    LastError() = "unknown error";
+  }
+  return -1;
+}
+
+void Require(const void* argument, const char* name) {
+  if (argument == nullptr) throw InputError(std::string(name) + " must not be NULL");
+}
+
+// The soil of a mjData; whoever holds the result keeps it alive.
+std::shared_ptr<SoilBinding> SoilOf(const mjData* d) {
+  Require(d, "mjData");
+  const std::shared_ptr<SoilEntry> entry = Registry::Get().Find(d);
+  if (entry == nullptr || entry->soil == nullptr) {
+    throw InputError("this mjData has no soil: call softsoil_attach() first");
+  }
+  return {entry, entry->soil.get()};
+}
+
+void Copy(const Eigen::Vector3d& from, double* to) {
+  for (int k = 0; k < 3; ++k) to[k] = from[k];
+}
+
+softsoilWheel WheelResult(const SoilBinding& soil, int wheel) {
+  const softsoil::Wheel& known = soil.plan().wheels[wheel];
+  const softsoil::TirePose& pose = soil.pose(wheel);
+  const softsoil::PatchForces& forces = soil.forces(wheel);
+  const softsoil::WheelReport report =
+      ReportOf(soil.soft_wheels().tire(wheel), pose, forces);
+  const softsoil::CompactionWork& work = soil.soft_wheels().ground().Work(wheel);
+
+  softsoilWheel result = {};
+  result.name = known.name.c_str();
+  result.body = known.body;
+  result.load = report.load;
+  result.sinkage = report.sinkage;
+  result.rut_depth = report.rut_depth;
+  result.slip_ratio = report.slip_ratio;
+  result.slip_angle = report.slip_angle;
+  result.camber = report.camber;
+  result.spin = report.spin;
+  result.forward_speed = report.forward_speed;
+  result.thrust = report.thrust;
+  result.motion_resistance = report.motion_resistance;
+  result.drawbar_pull = report.drawbar_pull;
+  result.lateral_force = report.lateral_force;
+  result.torque = report.torque;
+  result.contact_area = report.contact_area;
+  result.mean_pressure = report.mean_pressure;
+  result.peak_pressure = report.peak_pressure;
+  result.compaction_energy = work.energy;
+  result.compaction_power = work.power;
+  Copy(pose.centre_w, result.centre);
+  Copy(forces.wrench.force_w, result.force);
+  Copy(forces.wrench.torque_w, result.torque_at_centre);
+  return result;
+}
+
+softsoilGround GroundResult(SoilBinding& soil) {
+  softsoil::Ground& ground = soil.soft_wheels().ground();
+  softsoilGround result = {};
+  result.soil = soil.plan().soil.name.c_str();
+  result.grid_spacing = ground.settings().grid_spacing;
+  result.soil_clock = ground.settings().soil_clock;
+  result.threads = ground.settings().threads;
+  result.columns = ground.ColumnCount();
+  result.volumes = ground.VolumeCount();
+  result.bytes = ground.ColumnBytes();
+  result.volume_bytes = ground.VolumeBytes();
+  result.rut_volume = ground.surface().RutVolume();
+  result.displaced_volume = ground.surface().DisplacedVolume();
+  return result;
+}
+
+}  // namespace
+
+extern "C" {
+
+const char* softsoil_version(void) { return SOFTSOIL_VERSION; }
+
+const char* softsoil_error(void) { return LastError().c_str(); }
+
+int softsoil_attach(const mjModel* m, mjData* d, const char* settings) {
+  return Fenced([&] {
+    Require(m, "mjModel");
+    Require(d, "mjData");
+    Settings chosen = softsoil::SettingsOf(m);
+    if (settings != nullptr) softsoil::Override(settings, &chosen);
+    if (chosen.soil.empty()) {
+      throw InputError("softsoil_soil: the model or the settings must name a soil");
+    }
+    softsoil::InstallCallbacks();
+    softsoil::GiveSoil(m, d, softsoil::MakePlan(m, chosen));
+  });
+}
+
+int softsoil_detach(const mjModel* m, mjData* d) {
+  return Fenced([&] {
+    Require(m, "mjModel");
+    SoilOf(d)->RemoveForces(d);
+    Registry::Get().Erase(d);
+  });
+}
+
+int softsoil_reset(const mjModel* m, mjData* d) {
+  return Fenced([&] {
+    Require(m, "mjModel");
+    SoilOf(d)->Reset();
+  });
+}
+
+int softsoil_wheel_count(const mjData* d) {
+  int count = -1;
+  Fenced([&] { count = SoilOf(d)->soft_wheels().size(); });
+  return count;
+}
+
+int softsoil_wheel(const mjData* d, int wheel, softsoilWheel* result) {
+  return Fenced([&] {
+    Require(result, "result");
+    const std::shared_ptr<SoilBinding> soil = SoilOf(d);
+    const int count = soil->soft_wheels().size();
+    if (wheel < 0 || wheel >= count) {
+      throw InputError("wheel must be 0 to " + std::to_string(count - 1) + ", got " +
+                       std::to_string(wheel));
+    }
+    *result = WheelResult(*soil, wheel);
+  });
+}
+
+int softsoil_height(const mjData* d, double x, double y, double* height) {
+  return Fenced([&] {
+    Require(height, "height");
+    *height = SoilOf(d)->soft_wheels().ground().surface().Height(x, y);
+  });
+}
+
+int softsoil_ground(const mjData* d, softsoilGround* result) {
+  return Fenced([&] {
+    Require(result, "result");
+    *result = GroundResult(*SoilOf(d));
+  });
+}
+
+int softsoil_visit_surface(const mjData* d, softsoilVisitor visit, void* user) {
+  return Fenced([&] {
+    const std::shared_ptr<SoilBinding> soil = SoilOf(d);
+    if (visit == nullptr) throw InputError("visit must not be NULL");
+    const softsoil::Surface& surface = soil->soft_wheels().ground().surface();
+    surface.ForEachNode([&](softsoil::GridNode node, double height, double sinkage) {
+      visit(user, node.i * surface.spacing(), node.j * surface.spacing(), height, sinkage);
+    });
+  });
+}
+
+}  // extern "C"

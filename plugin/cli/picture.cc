@@ -1,0 +1,65 @@
+#include "plugin/cli/picture.h"
+
+#include <fcntl.h>
+#include <spawn.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+#include <stdexcept>
+#include <vector>
+
+#include "plugin/cli/paths.h"
+#include "terrain/input_error.h"
+
+namespace softsoil {
+namespace {
+
+enum class Messages { kShown, kHidden };
+
+// Runs a program and returns its exit status; 127 if it cannot be started, 128 + signal if it was
+// killed.
+int Execute(std::vector<std::string> words, Messages messages) {
+  std::vector<char*> arguments;
+  for (std::string& word : words) arguments.push_back(word.data());
+  arguments.push_back(nullptr);
+
+  posix_spawn_file_actions_t actions;
+  posix_spawn_file_actions_init(&actions);
+  if (messages == Messages::kHidden) {
+    posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, "/dev/null", O_WRONLY, 0);
+  }
+  pid_t child = 0;
+  const int error =
+      posix_spawnp(&child, arguments[0], &actions, nullptr, arguments.data(), environ);
+  posix_spawn_file_actions_destroy(&actions);
+  if (error != 0) return 127;
+
+  int status = 0;
+  while (waitpid(child, &status, 0) < 0) {
+    if (errno != EINTR) throw std::runtime_error(words[0] + ": " + std::strerror(errno));
+  }
+  return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+}
+
+}  // namespace
+
+std::string PythonThatPlots() {
+  for (const char* python : {SOFTSOIL_PYTHON, "/usr/bin/python3", "python3"}) {
+    if (Execute({python, "-c", "import matplotlib, numpy"}, Messages::kHidden) == 0) return python;
+  }
+  throw InputError("the picture needs python3 with matplotlib and numpy (Debian: "
+                   "python3-matplotlib), and none was found; --no-picture runs without");
+}
+
+void DrawTerrain(const std::string& python, const std::string& folder) {
+  const std::string script = ShareFolder() + "/plot/terrain.py";
+  const int status = Execute({python, script, folder}, Messages::kShown);
+  if (status != 0) {
+    throw std::runtime_error(folder + "/terrain.png: " + script + " failed with exit status " +
+                             std::to_string(status));
+  }
+}
+
+}  // namespace softsoil

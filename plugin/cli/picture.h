@@ -1,0 +1,15 @@
+// Pictures of a run, drawn by the scripts in share/softsoil/plot.
+#pragma once
+
+#include <string>
+
+namespace softsoil {
+
+// A Python 3 that has matplotlib and numpy: the one found when softsoil was built, that of the
+// system, or the first in PATH. Throws InputError if none has.
+std::string PythonThatPlots();
+
+// Draws <folder>/terrain.png from the other files of the run. Throws std::runtime_error.
+void DrawTerrain(const std::string& python, const std::string& folder);
+
+}  // namespace softsoil

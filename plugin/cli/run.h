@@ -1,0 +1,40 @@
+// softsoil run: drives a scene and writes what happened.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "plugin/cli/wheel_columns.h"
+#include "plugin/softsoil.h"
+
+namespace softsoil {
+
+struct RunOptions {
+  std::string scene;         // path or name
+  double time = 0;           // [s]  simulated, > 0
+  std::string folder;        // of the results
+  std::string controls;      // CSV file, or empty
+  double interval = 0.05;    // [s]  simulated time between rows of wheels.csv, > 0
+  std::string settings;      // for softsoil_attach()
+  bool picture = true;
+};
+
+struct WheelResult {
+  std::string name;
+  WheelMean mean;  // over the last part of the run
+};
+
+struct RunResult {
+  double simulated_time = 0;  // [s]
+  double wall_time = 0;       // [s]  of the steps
+  double averaged_over = 0;   // [s]  last part of the run that WheelResult stands for
+  std::vector<WheelResult> wheels;
+  softsoilGround ground = {};
+  double time_step = 0;       // [s]
+};
+
+// Writes wheels.csv, terrain.npy, summary.json and terrain.png. Refuses bad input with InputError
+// before anything is run or written; throws std::runtime_error if the run fails.
+void Run(const RunOptions& options);
+
+}  // namespace softsoil

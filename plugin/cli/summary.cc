@@ -1,0 +1,118 @@
+#include "plugin/cli/summary.h"
+
+#include <mujoco/mujoco.h>
+#include <sys/resource.h>
+
+#include <cmath>
+#include <cstdio>
+#include <cstring>
+#include <nlohmann/json.hpp>
+
+#include "plugin/cli/mujoco_messages.h"
+#include "plugin/cli/output_file.h"
+#include "plugin/cli/standard_output.h"
+
+namespace softsoil {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+double RealTimeFactor(const RunResult& result) { return result.wall_time / result.simulated_time; }
+
+// [MB] of this process
+double PeakMemory() {
+  rusage usage = {};
+  getrusage(RUSAGE_SELF, &usage);
+  return usage.ru_maxrss * 1024 / 1e6;
+}
+
+// 0 before anything is touched.
+double Share(std::size_t bytes, std::size_t parts) {
+  return parts > 0 ? static_cast<double>(bytes) / parts : 0.0;
+}
+
+Json WheelSummary(const WheelResult& wheel) {
+  Json json;
+  json["name"] = wheel.name;
+  const std::vector<double> values = wheel.mean.Values();
+  for (std::size_t c = 0; c < values.size(); ++c) json[WheelColumns()[c].key] = values[c];
+  return json;
+}
+
+Json WheelUnits() {
+  Json units;
+  for (const WheelColumn& column : WheelColumns()) units[column.key] = column.unit;
+  return units;
+}
+
+double CompactionEnergy(const RunResult& result) {
+  double energy = 0;
+  for (const WheelResult& wheel : result.wheels) energy += wheel.mean.Value("compaction_energy");
+  return energy;
+}
+
+void PrintWheel(const WheelResult& wheel) {
+  // Rounded here, such that -0.001 becomes 0.00 and not -0.00.
+  const auto value = [&wheel](const char* key, double unit, int digits) {
+    const double scale = std::pow(10.0, digits);
+    return std::round(wheel.mean.Value(key) / unit * scale) / scale + 0.0;
+  };
+  std::printf("%-16s %9.2f %12.1f %14.1f %8.1f %17.2f %13.2f\n", wheel.name.c_str(),
+              value("load", 1e3, 2), value("sinkage", 1e-2, 1), value("rut_depth", 1e-2, 1),
+              value("slip_ratio", 1e-2, 1), value("drawbar_pull", 1e3, 2),
+              value("torque", 1e3, 2));
+}
+
+}  // namespace
+
+void WriteSummary(const RunOptions& options, const RunResult& result) {
+  const softsoilGround& ground = result.ground;
+  Json json;
+  json["softsoil_version"] = softsoil_version();
+  json["mujoco_version"] = mj_versionString();
+  json["scene"] = options.scene;
+  json["soil"] = ground.soil;
+  json["settings"] = options.settings;
+  json["timestep"] = result.time_step;
+  json["soil_clock"] = ground.soil_clock;
+  json["threads"] = ground.threads;
+  json["simulated_time"] = result.simulated_time;
+  json["wall_time"] = result.wall_time;
+  json["real_time_factor"] = RealTimeFactor(result);
+  json["peak_memory_mb"] = PeakMemory();
+  json["grid_spacing"] = ground.grid_spacing;
+  json["columns"] = ground.columns;
+  json["volumes"] = ground.volumes;
+  json["bytes_per_column"] = Share(ground.bytes - ground.volume_bytes, ground.columns);
+  json["bytes_per_volume"] = Share(ground.volume_bytes, ground.volumes);
+  json["rut_volume"] = ground.rut_volume;
+  json["displaced_volume"] = ground.displaced_volume;
+  json["compaction_energy"] = CompactionEnergy(result);
+  json["wheels_averaged_over"] = result.averaged_over;
+  json["wheel_units"] = WheelUnits();
+  json["wheels"] = Json::array();
+  for (const WheelResult& wheel : result.wheels) json["wheels"].push_back(WheelSummary(wheel));
+  json["warnings"] = MujocoWarnings();
+
+  OutputFile file(options.folder + "/summary.json");
+  file.Write(json.dump(2) + "\n");
+  file.Finish();
+}
+
+void PrintSummary(const RunOptions& options, const RunResult& result) {
+  std::printf("%s: %g s on %s; wheels averaged over the last %g s\n\n", options.scene.c_str(),
+              result.simulated_time, result.ground.soil, result.averaged_over);
+  std::printf("%-16s %9s %12s %14s %8s %17s %13s\n", "wheel", "load [kN]", "sinkage [cm]",
+              "rut depth [cm]", "slip [%]", "drawbar pull [kN]", "torque [kN m]");
+  for (const WheelResult& wheel : result.wheels) PrintWheel(wheel);
+  std::printf("\nReal-time factor %.2f: %.1f s for %g s with %d thread%s; %.0f MB\n",
+              RealTimeFactor(result), result.wall_time, result.simulated_time,
+              result.ground.threads, result.ground.threads == 1 ? "" : "s", PeakMemory());
+  std::printf("Rut volume %.3f m^3, compaction energy %.2f kJ\n", result.ground.rut_volume,
+              CompactionEnergy(result) / 1e3);
+  std::printf("Results in %s: summary.json, wheels.csv, terrain.npy%s\n", options.folder.c_str(),
+              options.picture ? ", terrain.png" : "");
+  FlushStandardOutput();
+}
+
+}  // namespace softsoil

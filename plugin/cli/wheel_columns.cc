@@ -1,0 +1,78 @@
+#include "plugin/cli/wheel_columns.h"
+
+#include <algorithm>
+
+namespace softsoil {
+namespace {
+
+using Wheel = softsoilWheel;
+constexpr double kDegrees = 180 / 3.14159265358979323846;
+
+}  // namespace
+
+const std::vector<WheelColumn>& WheelColumns() {
+  static const std::vector<WheelColumn> columns = {
+      {"x", "x", "m", 1, false, [](const Wheel& w) { return w.centre[0]; }},
+      {"y", "y", "m", 1, false, [](const Wheel& w) { return w.centre[1]; }},
+      {"z", "z", "m", 1, false, [](const Wheel& w) { return w.centre[2]; }},
+      {"load", "load", "N", 1, true, [](const Wheel& w) { return w.load; }},
+      {"sinkage", "sinkage", "m", 1, true, [](const Wheel& w) { return w.sinkage; }},
+      {"rut_depth", "rut depth", "m", 1, true, [](const Wheel& w) { return w.rut_depth; }},
+      {"slip_ratio", "slip ratio", "-", 1, true, [](const Wheel& w) { return w.slip_ratio; }},
+      {"slip_angle_deg", "slip angle", "deg", kDegrees, true,
+       [](const Wheel& w) { return w.slip_angle; }},
+      {"camber_deg", "camber", "deg", kDegrees, true, [](const Wheel& w) { return w.camber; }},
+      {"spin", "spin", "rad/s", 1, true, [](const Wheel& w) { return w.spin; }},
+      {"forward_speed", "forward speed", "m/s", 1, true,
+       [](const Wheel& w) { return w.forward_speed; }},
+      {"thrust", "thrust", "N", 1, true, [](const Wheel& w) { return w.thrust; }},
+      {"motion_resistance", "motion resistance", "N", 1, true,
+       [](const Wheel& w) { return w.motion_resistance; }},
+      {"drawbar_pull", "drawbar pull", "N", 1, true,
+       [](const Wheel& w) { return w.drawbar_pull; }},
+      {"lateral_force", "lateral force", "N", 1, true,
+       [](const Wheel& w) { return w.lateral_force; }},
+      {"torque", "torque", "N m", 1, true, [](const Wheel& w) { return w.torque; }},
+      {"contact_area", "contact area", "m^2", 1, true,
+       [](const Wheel& w) { return w.contact_area; }},
+      {"mean_pressure", "mean pressure", "Pa", 1, true,
+       [](const Wheel& w) { return w.mean_pressure; }},
+      {"peak_pressure", "peak pressure", "Pa", 1, true,
+       [](const Wheel& w) { return w.peak_pressure; }},
+      {"compaction_energy", "compaction energy", "J", 1, false,
+       [](const Wheel& w) { return w.compaction_energy; }},
+      {"compaction_power", "compaction power", "W", 1, true,
+       [](const Wheel& w) { return w.compaction_power; }},
+  };
+  return columns;
+}
+
+void WheelMean::Add(const softsoilWheel& wheel) {
+  const std::vector<WheelColumn>& columns = WheelColumns();
+  sums_.resize(columns.size());
+  last_.resize(columns.size());
+  for (std::size_t c = 0; c < columns.size(); ++c) {
+    last_[c] = columns[c].value(wheel) * columns[c].from_si;
+    sums_[c] += last_[c];
+  }
+  ++count_;
+}
+
+std::vector<double> WheelMean::Values() const {
+  const std::vector<WheelColumn>& columns = WheelColumns();
+  if (count_ == 0) return std::vector<double>(columns.size());
+  std::vector<double> values = last_;
+  for (std::size_t c = 0; c < columns.size(); ++c) {
+    if (columns[c].averaged) values[c] = sums_[c] / count_;
+  }
+  return values;
+}
+
+double WheelMean::Value(const std::string& key) const {
+  const std::vector<WheelColumn>& columns = WheelColumns();
+  const auto it = std::find_if(columns.begin(), columns.end(),
+                               [&key](const WheelColumn& c) { return c.key == key; });
+  return Values().at(it - columns.begin());
+}
+
+}  // namespace softsoil

@@ -1,0 +1,210 @@
+#include "plugin/host.h"
+
+#include <atomic>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <mutex>
+
+#include "plugin/log.h"
+#include "plugin/model_geometry.h"
+#include "plugin/mujoco_symbols.h"
+#include "plugin/rigid_contact.h"
+#include "terrain/input_error.h"
+
+namespace softsoil {
+namespace {
+
+// Trivially destructible: callbacks come until the very end of the process.
+struct Host {
+  MujocoSymbols mujoco;
+  mjfGeneric earlier_passive = nullptr;
+  mjfConFilt earlier_filter = nullptr;
+  void (*earlier_free)(void*) = nullptr;
+  bool notices_free = false;
+  std::atomic<bool> learns_models{false};
+  OnError on_error = OnError::kStop;
+};
+Host host;
+
+std::mutex& InstallMutex() {
+  static auto* const mutex = new std::mutex;
+  return *mutex;
+}
+
+constexpr std::size_t kLongestMessage = 4000;
+
+// Plain memory: the host's error handler may leave by longjmp.
+struct Failure {
+  bool happened = false;
+  char message[kLongestMessage];
+};
+
+void Note(const std::exception& error, Failure* failure) {
+  failure->happened = true;
+  std::snprintf(failure->message, kLongestMessage, "%s", error.what());
+}
+
+// Ends the program the way its author wants errors to end it.
+void Stop(const Failure& failure) {
+  if (*host.mujoco.user_error != nullptr) {
+    char message[kLongestMessage + 20];
+    std::snprintf(message, sizeof message, "softsoil: %s", failure.message);
+    (*host.mujoco.user_error)(message);
+    return;
+  }
+  // Neither mju_error(), which waits for a key, nor exit(), which runs destructors beside threads
+  // that still simulate.
+  Say(failure.message);
+  std::fflush(nullptr);
+  std::_Exit(EXIT_FAILURE);
+}
+
+void InstallContactFilter();
+
+std::unique_ptr<SoilBinding> MakeSoil(SoilPlan plan) {
+  if (plan.remove_rigid_contact) InstallContactFilter();
+  return std::make_unique<SoilBinding>(std::move(plan));
+}
+
+// The soil that the model asks for, null if it asks for none.
+std::unique_ptr<SoilBinding> SoilThatModelWants(const mjModel* m) {
+  const Settings settings = SettingsOf(m);
+  if (!settings.soil.empty()) return MakeSoil(MakePlan(m, settings));
+  Say("model \"" + std::string(m->names) +
+      "\" names no soil (<custom> <text name=\"softsoil_soil\">): it runs without");
+  return nullptr;
+}
+
+// The entry of a mjData, null if it has none. Learns the model if that is wanted.
+std::shared_ptr<SoilEntry> EntryOf(const mjModel* m, const mjData* d, Failure* failure) {
+  std::shared_ptr<SoilEntry> entry = Registry::Get().Find(d);
+  if (entry != nullptr || !host.learns_models) return entry;
+  entry = std::make_shared<SoilEntry>();
+  entry->fingerprint = FingerprintOf(m, d);
+  Registry::Get().Put(d, entry);
+  try {
+    entry->soil = SoilThatModelWants(m);
+  } catch (const std::exception& error) {
+    if (host.on_error == OnError::kStop) {
+      Note(error, failure);
+    } else {
+      Say(std::string(error.what()) + "; the model runs without soft soil");
+    }
+  }
+  return entry;
+}
+
+// The fence: no exception gets past it.
+void ApplySoil(const mjModel* m, mjData* d, Failure* failure) {
+  try {
+    std::shared_ptr<SoilEntry> entry = EntryOf(m, d, failure);
+    if (entry != nullptr && !(entry->fingerprint == FingerprintOf(m, d))) {
+      Registry::Get().Erase(d);
+      if (!host.learns_models) Say("a mjData with soil was deleted without softsoil_detach()");
+      entry = EntryOf(m, d, failure);
+    }
+    if (entry != nullptr && entry->soil != nullptr) entry->soil->OnPassive(m, d);
+  } catch (const std::exception& error) {
+    Note(error, failure);
+  }
+}
+
+void OnPassive(const mjModel* m, mjData* d) {
+  if (host.earlier_passive != nullptr) host.earlier_passive(m, d);
+  Failure failure;
+  ApplySoil(m, d, &failure);
+  if (failure.happened) Stop(failure);
+}
+
+bool SoilDiscards(const mjModel* m, const mjData* d, int geom1, int geom2, Failure* failure) {
+  try {
+    const std::shared_ptr<SoilEntry> entry = EntryOf(m, d, failure);
+    const bool is_ours = entry != nullptr && entry->soil != nullptr &&
+                         entry->fingerprint.model == m && entry->fingerprint.buffer == d->buffer;
+    return is_ours && entry->soil->RemovesContact(geom1, geom2);
+  } catch (const std::exception& error) {
+    Note(error, failure);
+    return false;
+  }
+}
+
+// MuJoCo's rule: non-zero discards the contact. Called for very many pairs; few are with planes.
+int OnContactFilter(const mjModel* m, mjData* d, int geom1, int geom2) {
+  const bool discarded = host.earlier_filter != nullptr
+                             ? host.earlier_filter(m, d, geom1, geom2) != 0
+                             : !MayCollide(m, geom1, geom2);
+  if (discarded) return 1;
+  if (m->geom_type[geom1] != mjGEOM_PLANE && m->geom_type[geom2] != mjGEOM_PLANE) return 0;
+  Failure failure;
+  const bool discards = SoilDiscards(m, d, geom1, geom2, &failure);
+  if (failure.happened) Stop(failure);
+  return discards ? 1 : 0;
+}
+
+void OnFree(void* memory) {
+  Registry::Get().Erase(memory);
+  if (host.earlier_free != nullptr) {
+    host.earlier_free(memory);
+  } else {
+    std::free(memory);  // as MuJoCo does on Linux
+  }
+}
+
+// Puts `ours` into a variable of MuJoCo's. A host that replaced it later is left alone: it may
+// well call ours.
+template <class Callback>
+void Install(Callback* variable, Callback ours, Callback* earlier, bool installed_before) {
+  if (*variable == ours || (installed_before && *variable != nullptr)) return;
+  *earlier = *variable;
+  *variable = ours;
+}
+
+void InstallContactFilter() {
+  const std::lock_guard<std::mutex> lock(InstallMutex());
+  static bool installed = false;
+  Install(host.mujoco.contact_filter, &OnContactFilter, &host.earlier_filter, installed);
+  installed = true;
+}
+
+// A host with an allocator of its own but no way to free is left alone.
+void InstallFreeNotice() {
+  if (*host.mujoco.user_malloc != nullptr && *host.mujoco.user_free == nullptr) return;
+  Install(host.mujoco.user_free, &OnFree, &host.earlier_free, host.notices_free);
+  host.notices_free = true;
+}
+
+}  // namespace
+
+void InstallCallbacks() {
+  const std::lock_guard<std::mutex> lock(InstallMutex());
+  const bool installed = host.mujoco.version != 0;
+  if (!installed) {
+    const MujocoSymbols found = FindMujoco();
+    if (found.version == 0) throw InputError("there is no MuJoCo in this process");
+    if (found.version != kMujocoVersion) {
+      throw InputError("MuJoCo must be version " + std::to_string(kMujocoVersion) + ", got " +
+                       std::to_string(found.version));
+    }
+    host.mujoco = found;
+  }
+  Install(host.mujoco.passive, &OnPassive, &host.earlier_passive, installed);
+  InstallFreeNotice();
+}
+
+void LearnModels(OnError on_error) {
+  host.on_error = on_error;
+  host.learns_models = true;
+}
+
+void GiveSoil(const mjModel* m, mjData* d, SoilPlan plan) {
+  auto entry = std::make_shared<SoilEntry>();
+  entry->fingerprint = FingerprintOf(m, d);
+  entry->soil = MakeSoil(std::move(plan));
+  const std::shared_ptr<SoilEntry> old = Registry::Get().Find(d);
+  const bool is_same = old != nullptr && old->fingerprint == entry->fingerprint;
+  if (is_same && old->soil != nullptr) old->soil->RemoveForces(d);
+  Registry::Get().Put(d, std::move(entry));
+}
+
+}  // namespace softsoil

@@ -1,0 +1,31 @@
+// softsoil's place in the MuJoCo of this process: its callbacks, and what becomes of errors in a
+// program that knows nothing of softsoil.
+//
+// MuJoCo calls back in the middle of mj_step, from any thread, with a mjModel and a mjData of any
+// age. The callbacks find the soil of that mjData in the registry and call it without any lock.
+#pragma once
+
+#include <mujoco/mujoco.h>
+
+#include <memory>
+
+#include "plugin/registry.h"
+
+namespace softsoil {
+
+// What to do when a model asks for soil and it cannot be made: end the program (by its own
+// mju_user_error if it has set one), or go on without soil.
+enum class OnError { kStop, kContinue };
+
+// Installs mjcb_passive, and a notice of freed memory by which a deleted mjData gives its soil
+// back. Callbacks that are set already are called first. Throws InputError if there is no MuJoCo
+// 2.2.2 in this process. May be called any number of times.
+void InstallCallbacks();
+
+// From now on every mjData whose model names a soil gets it, at its first step.
+void LearnModels(OnError on_error);
+
+// Gives a mjData the soil of a plan, in place of one it may have.
+void GiveSoil(const mjModel* m, mjData* d, SoilPlan plan);
+
+}  // namespace softsoil

@@ -1,0 +1,51 @@
+// Which mjData has which soil.
+#pragma once
+
+#include <mujoco/mujoco.h>
+
+#include <map>
+#include <memory>
+#include <mutex>
+#include <string>
+
+#include "plugin/soil_binding.h"
+
+namespace softsoil {
+
+// Tells models and mjData apart whose addresses are the same: MuJoCo reuses them at once after a
+// free, and mj_loadXML steps a mjData of its own.
+struct Fingerprint {
+  const mjModel* model;
+  const void* buffer;  // of mjData
+  std::size_t content;  // hash of names and <custom> of the model
+
+  bool operator==(const Fingerprint& other) const {
+    return model == other.model && buffer == other.buffer && content == other.content;
+  }
+};
+Fingerprint FingerprintOf(const mjModel* m, const mjData* d);
+
+struct SoilEntry {
+  Fingerprint fingerprint;
+  std::unique_ptr<SoilBinding> soil;  // null: this mjData goes without
+};
+
+// For all threads. An entry is used by the thread that steps its mjData, without any lock.
+class Registry {
+ public:
+  // Never destroyed: a host may step until the very end of the process.
+  static Registry& Get();
+
+  // Null where there is none.
+  std::shared_ptr<SoilEntry> Find(const mjData* d) const;
+  // In place of the one that was there.
+  void Put(const mjData* d, std::shared_ptr<SoilEntry> entry);
+  // Any address will do.
+  void Erase(const void* d);
+
+ private:
+  mutable std::mutex mutex_;
+  std::map<const void*, std::shared_ptr<SoilEntry>> entries_;
+};
+
+}  // namespace softsoil

@@ -1,0 +1,91 @@
+#include <thread>
+
+#include "plugin/settings.h"
+#include "plugin/words.h"
+#include "terrain/input_error.h"
+
+namespace softsoil {
+namespace {
+
+using V = SettingValue;
+constexpr SettingKind kText = SettingKind::kText, kNumber = SettingKind::kNumber,
+                      kWholeNumber = SettingKind::kWholeNumber, kBodies = SettingKind::kBodies;
+
+// True for the second of two words, false for the first; throws for any other.
+bool Choose(const std::string& text, const char* first, const char* second) {
+  if (text == second) return true;
+  if (text == first) return false;
+  throw InputError("must be " + std::string(first) + " or " + second + ", got \"" + text + "\"");
+}
+
+TireNames ParseTires(const std::string& text) {
+  TireNames tires;
+  bool for_all_given = false;
+  for (const std::string& entry : Words(text, " \t\n,")) {
+    const auto equals = entry.find('=');
+    const std::string body = equals == std::string::npos ? "" : entry.substr(0, equals);
+    const std::string name = equals == std::string::npos ? entry : entry.substr(equals + 1);
+    const bool is_new = equals == std::string::npos
+                            ? !std::exchange(for_all_given, true)
+                            : !body.empty() && tires.of_body.emplace(body, name).second;
+    if (!is_new || name.empty()) {
+      throw InputError("must be one tire for all wheels, BODY=TIRE entries or both, got \"" + text +
+                       "\"");
+    }
+    if (equals == std::string::npos) tires.of_all = name;
+  }
+  return tires;
+}
+
+}  // namespace
+
+const std::vector<Setting>& SettingTable() {
+  static const std::vector<Setting> table = {
+      {"soil", kText, Range::kAny, "", "none: no soft soil", "soil by its name in the catalogue",
+       [](Settings& s, const V& v) { s.soil = v.text; }},
+      {"tire", kText, Range::kAny, "", kAutoTire,
+       "tire of all wheels by its name in the catalogue, BODY=TIRE entries, or both; auto: a "
+       "stiff tire of the geom's size",
+       [](Settings& s, const V& v) { s.tires = ParseTires(v.text); }},
+      {"ground", kText, Range::kAny, "", "the only plane of the world",
+       "name of the plane geom that is the undisturbed ground",
+       [](Settings& s, const V& v) { s.ground = v.text; }},
+      {"wheels", kBodies, Range::kAny, "", "found by their geoms and hinges", "bodies with a tire",
+       [](Settings& s, const V& v) { s.wheels = v.names; }},
+      {"mode", kText, Range::kAny, "", "flow",
+       "how the surface sinks: flow, or compaction alone as in the thesis",
+       [](Settings& s, const V& v) {
+         s.terrain.mode = Choose(v.text, "flow", "compaction") ? SurfaceMode::kCompaction
+                                                               : SurfaceMode::kFlow;
+       }},
+      {"rigid_contact", kText, Range::kAny, "", "warn",
+       "what to do if wheels also touch the rigid plane: warn or remove",
+       [](Settings& s, const V& v) {
+         s.remove_rigid_contact = Choose(v.text, "warn", "remove");
+       }},
+      {"soil_file", kText, Range::kAny, "", "none", "XML files with more soils",
+       [](Settings& s, const V& v) { s.soil_files = Words(v.text, " \t\n,"); }},
+      {"tire_file", kText, Range::kAny, "", "none", "XML files with more tires",
+       [](Settings& s, const V& v) { s.tire_files = Words(v.text, " \t\n,"); }},
+      {"grid_spacing", kNumber, Range::kPositive, "m", "0.025", "spacing of the soil columns",
+       [](Settings& s, const V& v) { s.terrain.grid_spacing = v.number; }},
+      {"volume_height", kNumber, Range::kPositive, "m", "0.025", "height of a soil volume",
+       [](Settings& s, const V& v) { s.terrain.volume_height = v.number; }},
+      {"volumes", kWholeNumber, Range::kPositive, "", "30", "soil volumes in a column",
+       [](Settings& s, const V& v) { s.terrain.volumes = static_cast<int>(v.number); }},
+      {"clock", kNumber, Range::kPositive, "s", "0.01", "simulated time between soil updates",
+       [](Settings& s, const V& v) { s.terrain.soil_clock = v.number; }},
+      {"sync", kWholeNumber, Range::kNotNegative, "", "0",
+       "1: update the soil in place instead of in the background",
+       [](Settings& s, const V& v) {
+         if (v.number > 1) throw InputError("must be 0 or 1, got " + Shown(v.number));
+         s.terrain.sync = v.number == 1;
+       }},
+      {"threads", kWholeNumber, Range::kPositive, "", "one per processor",
+       "threads of the soil update; no influence on results",
+       [](Settings& s, const V& v) { s.terrain.threads = static_cast<int>(v.number); }},
+  };
+  return table;
+}
+
+}  // namespace softsoil

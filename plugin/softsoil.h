@@ -1,0 +1,105 @@
+// C interface of softsoil: soft soil under the wheels of a MuJoCo model.
+//
+// A program that knows nothing of softsoil gets its soil by LD_PRELOAD of libsoftsoil.so. A
+// program that links the library calls softsoil_attach() and may ask for results.
+//
+//   mjModel* m = mj_loadXML("truck.xml", NULL, error, sizeof error);
+//   mjData* d = mj_makeData(m);
+//   if (softsoil_attach(m, d, NULL)) { puts(softsoil_error()); exit(1); }
+//   while (d->time < 10) mj_step(m, d);
+//
+// Functions that return int return 0, or -1 and a message in softsoil_error(). SI units, world
+// axes. A mjData must be used by one thread at a time, as in MuJoCo; different ones in parallel.
+#ifndef SOFTSOIL_H_
+#define SOFTSOIL_H_
+
+#include <mujoco/mujoco.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+#if defined(__GNUC__)
+#define SOFTSOIL_API __attribute__((visibility("default")))
+#else
+#define SOFTSOIL_API
+#endif
+
+// What one wheel does. Axes, signs and definitions: contact/wheel_report.h (TYDEX W axes: x
+// forward, y left, z up; forces of the ground on the wheel).
+typedef struct softsoilWheel_ {
+  const char* name;           // of the body; lives as long as the soil
+  int body;                   // id of the body
+  double load;                // [N]
+  double sinkage;             // [m]
+  double rut_depth;           // [m]
+  double slip_ratio;          // [-]
+  double slip_angle;          // [rad]
+  double camber;              // [rad]
+  double spin;                // [rad/s]
+  double forward_speed;       // [m/s]
+  double thrust;              // [N]
+  double motion_resistance;   // [N]
+  double drawbar_pull;        // [N]
+  double lateral_force;       // [N]
+  double torque;              // [N m]
+  double contact_area;        // [m^2]
+  double mean_pressure;       // [Pa]
+  double peak_pressure;       // [Pa]
+  double compaction_energy;   // [J]   since the start
+  double compaction_power;    // [W]   mean of the last soil period
+  double centre[3];           // [m]   wheel centre
+  double force[3], torque_at_centre[3];  // [N], [N m]  of the ground on the wheel, world axes
+} softsoilWheel;
+
+typedef struct softsoilGround_ {
+  const char* soil;           // name in the catalogue; lives as long as the soil
+  double grid_spacing;        // [m]
+  double soil_clock;          // [s]
+  int threads;
+  size_t columns, volumes;    // below touched tiles
+  size_t bytes;               // of columns, volumes and surface together
+  size_t volume_bytes;        // part of it that grows with the number of volumes
+  double rut_volume;          // [m^3]
+  double displaced_volume;    // [m^3]  part of it that is not compaction
+} softsoilGround;
+
+// Version of the library, "0.1.0".
+SOFTSOIL_API const char* softsoil_version(void);
+
+// Message of the last call that failed on this thread; "" if none did.
+SOFTSOIL_API const char* softsoil_error(void);
+
+// Gives a mjData its soil, as the model's <custom> elements say, and installs mjcb_passive in the
+// host. `settings` overrides them, for example "soil=lete_sand clock=0.005"; the keys are those
+// of the model without the prefix softsoil_. NULL for none. Fails if the model names no soil.
+// Attaching again starts with undisturbed ground.
+SOFTSOIL_API int softsoil_attach(const mjModel* m, mjData* d, const char* settings);
+
+// Takes the soil away and its share out of xfrc_applied. Before mj_deleteData.
+SOFTSOIL_API int softsoil_detach(const mjModel* m, mjData* d);
+
+// Undisturbed ground again, as after attaching.
+SOFTSOIL_API int softsoil_reset(const mjModel* m, mjData* d);
+
+// Number of wheels; -1 if the mjData has no soil.
+SOFTSOIL_API int softsoil_wheel_count(const mjData* d);
+
+// Results of the last evaluation of a wheel, 0 to count - 1.
+SOFTSOIL_API int softsoil_wheel(const mjData* d, int wheel, softsoilWheel* result);
+
+// Height [m] of the surface at x, y [m].
+SOFTSOIL_API int softsoil_height(const mjData* d, double x, double y, double* height);
+
+// Size and totals of the ground. Waits for the soil job in flight.
+SOFTSOIL_API int softsoil_ground(const mjData* d, softsoilGround* result);
+
+// Calls visit() for every grid node of the touched ground, in a fixed order.
+typedef void (*softsoilVisitor)(void* user, double x, double y, double height, double sinkage);
+SOFTSOIL_API int softsoil_visit_surface(const mjData* d, softsoilVisitor visit, void* user);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif  // SOFTSOIL_H_

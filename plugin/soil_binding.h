@@ -1,0 +1,66 @@
+// The soil of one mjData: what happens at each call of MuJoCo's passive callback.
+#pragma once
+
+#include <mujoco/mujoco.h>
+
+#include <memory>
+#include <vector>
+
+#include "contact/soft_wheels.h"
+#include "plugin/own_share.h"
+#include "plugin/soil_plan.h"
+#include "plugin/step_watch.h"
+
+namespace softsoil {
+
+class SoilBinding {
+ public:
+  explicit SoilBinding(SoilPlan plan);
+
+  // Adds the forces of the soil on the wheels to xfrc_applied, and lets history pass if a time
+  // step was accepted since the last call. If a pose is not finite, as in a simulation that
+  // diverges, it says so and leaves the wheels without soil until poses are finite again.
+  void OnPassive(const mjModel* m, mjData* d);
+
+  // Takes the soil's share out of xfrc_applied.
+  void RemoveForces(mjData* d);
+
+  // Undisturbed ground.
+  void Reset();
+
+  // Whether the contact of two geoms is to be discarded.
+  bool RemovesContact(int geom1, int geom2) const;
+
+  const SoilPlan& plan() const { return plan_; }
+  SoftWheels& soft_wheels() { return *soft_wheels_; }
+  const SoftWheels& soft_wheels() const { return *soft_wheels_; }
+
+  // Of the last evaluation, trials included.
+  const TirePose& pose(int wheel) const { return latest_->poses[wheel]; }
+  const PatchForces& forces(int wheel) const { return latest_->forces[wheel]; }
+
+ private:
+  struct Evaluation {
+    std::vector<TirePose> poses;
+    std::vector<PatchForces> forces;
+    double h = 0;  // [s]
+  };
+
+  void LetHistoryPass(StepEvent event);
+  void Evaluate(const mjModel* m, const mjData* d);
+  void WriteForces(mjData* d);
+
+  SoilPlan plan_;
+  std::vector<Eigen::Matrix3d> tire_frame_b_;  // by wheel: axes of the tire in the body's frame
+  std::unique_ptr<SoftWheels> soft_wheels_;
+  std::vector<OwnShare> shares_;  // by wheel
+  StepWatch watch_;
+
+  // Two evaluations that change places, so that a step allocates nothing: the one that is asked
+  // for now, and the pending one, which is history as soon as its time step is known as accepted.
+  Evaluation now_, pending_;
+  bool is_pending_ = false;
+  const Evaluation* latest_ = &now_;
+};
+
+}  // namespace softsoil

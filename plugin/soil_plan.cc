@@ -1,0 +1,75 @@
+#include "plugin/soil_plan.h"
+
+#include "plugin/log.h"
+#include "plugin/models_folder.h"
+#include "plugin/rigid_contact.h"
+#include "plugin/time_step.h"
+#include "plugin/tire_choice.h"
+#include "terrain/input_error.h"
+
+namespace softsoil {
+namespace {
+
+Soil ChooseSoil(const Settings& settings) {
+  Catalogue<Soil> catalogue = SoilCatalogue();
+  catalogue.AddFolder(ModelsFolder() + "/soils");
+  for (const std::string& file : settings.soil_files) catalogue.AddFile(file);
+  return catalogue.Find(settings.soil);
+}
+
+void SayWheels(const SoilPlan& plan, bool named) {
+  std::string list;
+  for (std::size_t i = 0; i < plan.wheels.size(); ++i) {
+    list += (i == 0 ? "" : ", ") + plan.wheels[i].name + " (" + plan.tires[i].name + ")";
+  }
+  Say("soil \"" + plan.soil.name + "\" under " + std::to_string(plan.wheels.size()) +
+      (named ? " wheels as named" : " wheels found by their geoms and hinges") + ": " + list);
+}
+
+void WarnOfRigidContact(const mjModel* m, const SoilPlan& plan) {
+  const std::string warning =
+      RigidContactWarning(m, plan.ground.geom, plan.wheels, plan.remove_rigid_contact);
+  if (!warning.empty()) Say("warning: " + warning);
+}
+
+void WarnOfTimeStep(const mjModel* m, const SoilPlan& plan) {
+  for (std::size_t i = 0; i < plan.wheels.size(); ++i) {
+    const double load = StaticLoad(m, plan.wheels, plan.wheels[i]);
+    const double longest = LongestStep(m, plan.wheels[i], plan.tires[i], plan.soil, load);
+    if (m->opt.timestep <= longest / 2) continue;
+    Say("warning: wheel \"" + plan.wheels[i].name + "\": the time step " +
+        Shown(m->opt.timestep) + " s is more than half of about " + Shown(longest) +
+        " s, the longest that its tire and mass allow; make it shorter");
+  }
+}
+
+// The grid must resolve the contact patch, whose length is some tenths of the radius.
+void WarnOfGrid(const SoilPlan& plan) {
+  for (std::size_t i = 0; i < plan.wheels.size(); ++i) {
+    const double radius = plan.tires[i].shape.radius;
+    if (plan.terrain.grid_spacing <= radius / 4) continue;
+    Say("warning: wheel \"" + plan.wheels[i].name + "\": softsoil_grid_spacing is " +
+        Shown(plan.terrain.grid_spacing) + " m, more than a quarter of the radius, " +
+        Shown(radius) + " m; make it finer");
+  }
+}
+
+}  // namespace
+
+SoilPlan MakePlan(const mjModel* m, const Settings& settings) {
+  SoilPlan plan;
+  plan.soil = ChooseSoil(settings);
+  plan.terrain = settings.terrain;
+  plan.ground = FindGroundPlane(m, settings.ground);
+  plan.wheels = FindWheels(m, settings.wheels);
+  plan.tires = ChooseTires(m, plan.wheels, settings);
+  plan.is_wheels = GeomsOfWheels(m, plan.wheels);
+  plan.remove_rigid_contact = settings.remove_rigid_contact;
+  SayWheels(plan, !settings.wheels.empty());
+  WarnOfRigidContact(m, plan);
+  WarnOfTimeStep(m, plan);
+  WarnOfGrid(plan);
+  return plan;
+}
+
+}  // namespace softsoil

@@ -1,0 +1,124 @@
+#include "plugin/tire_choice.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "contact/flat_plate.h"
+#include "plugin/log.h"
+#include "plugin/models_folder.h"
+#include "terrain/input_error.h"
+
+namespace softsoil {
+namespace {
+
+constexpr double kDeflection = 0.02;         // of the radius
+constexpr double kDampingRatio = 0.1;        // of critical
+constexpr double kSoilFriction = 0.65;       // rubber on soil, as the tires of the catalogue
+constexpr double kRadiusTolerance = 0.05;    // between tire and geom
+constexpr double kMeanPenetration = 2.0 / 3;  // of the deepest, under a round tire
+
+TireShape Torus(double radius, double crown_radius, double half_width) {
+  return {radius, crown_radius, 2 * std::min(half_width, crown_radius)};
+}
+
+TireShape ShapeOf(const Wheel& wheel) {
+  const double r = wheel.radius, half = wheel.half_width;
+  switch (wheel.outline) {
+    case WheelOutline::kSphere: return Torus(r, r, r);
+    // Of the ellipse the curvature at the tread; only a thick one is wider than that circle.
+    case WheelOutline::kEllipsoid: return Torus(r, half * half / r, half);
+    // A short capsule is a sphere, a long one a cylinder with round ends.
+    case WheelOutline::kCapsule:
+      if (half < r) return Torus(r, r, r);
+      break;
+    default: break;
+  }
+  return {r, std::numeric_limits<double>::infinity(), 2 * half};
+}
+
+void WarnOfRadius(const Wheel& wheel, const Tire& tire) {
+  if (wheel.outline == WheelOutline::kUnknown) return;
+  const double radius = tire.shape.radius;
+  if (std::abs(radius - wheel.radius) <= kRadiusTolerance * wheel.radius) return;
+  Say("warning: wheel \"" + wheel.name + "\": tire \"" + tire.name + "\" has the radius " +
+      Shown(radius) + " m, the wheel's geom " + Shown(wheel.radius) + " m");
+}
+
+Catalogue<Tire> AllTires(const Settings& settings) {
+  Catalogue<Tire> catalogue = TireCatalogue();
+  catalogue.AddFolder(ModelsFolder() + "/tires");
+  for (const std::string& file : settings.tire_files) catalogue.AddFile(file);
+  return catalogue;
+}
+
+void RequireBodiesAreWheels(const TireNames& names, const std::vector<Wheel>& wheels) {
+  for (const auto& [body, tire] : names.of_body) {
+    const bool known = std::any_of(wheels.begin(), wheels.end(),
+                                   [&](const Wheel& wheel) { return wheel.name == body; });
+    if (known) continue;
+    std::string all;
+    for (const Wheel& wheel : wheels) all += (all.empty() ? "" : ", ") + wheel.name;
+    throw InputError("softsoil_tire: \"" + body + "\" is no wheel; wheels are: " + all);
+  }
+}
+
+Tire MakeAutoTire(const mjModel* m, const std::vector<Wheel>& wheels, const Wheel& wheel) {
+  if (wheel.outline == WheelOutline::kUnknown) {
+    throw InputError("softsoil_tire: wheel \"" + wheel.name +
+                     "\" has no round geom, so its tire must be named");
+  }
+  const Tire tire = AutoTire(wheel, StaticLoad(m, wheels, wheel));
+  Say("wheel \"" + wheel.name + "\" has no tire named: it gets a stiff one of its geom's size, " +
+      "radius " + Shown(tire.shape.radius) + " m, width " + Shown(tire.shape.width) + " m");
+  return tire;
+}
+
+}  // namespace
+
+double StaticLoad(const mjModel* m, const std::vector<Wheel>& wheels, const Wheel& wheel) {
+  const int root = m->body_rootid[wheel.body];
+  const auto count = std::count_if(wheels.begin(), wheels.end(), [&](const Wheel& other) {
+    return m->body_rootid[other.body] == root;
+  });
+  return m->body_subtreemass[root] * -m->opt.gravity[2] / static_cast<double>(count);
+}
+
+Tire AutoTire(const Wheel& wheel, double load) {
+  Tire tire;
+  tire.name = kAutoTire;
+  tire.description = "stiff tire of the geom's size";
+  tire.shape = ShapeOf(wheel);
+  tire.soil_friction = kSoilFriction;
+  tire.damping = 0;
+  tire.spring = {SpringForm::kLinear, 1};
+  const double z = kDeflection * wheel.radius;
+  tire.spring.coefficient = load / FlatPlateLoad(tire, z, wheel.radius / 100);
+
+  const double gravity = 9.81;  // [m/s^2]  only for the size of the damping
+  const double stiffness = load / z;
+  const double area = load / SpringPressure(tire.spring, kMeanPenetration * z);
+  tire.damping = 2 * kDampingRatio * std::sqrt(stiffness * load / gravity) / area;
+  return tire;
+}
+
+std::vector<Tire> ChooseTires(const mjModel* m, const std::vector<Wheel>& wheels,
+                              const Settings& settings) {
+  const Catalogue<Tire> catalogue = AllTires(settings);
+  RequireBodiesAreWheels(settings.tires, wheels);
+  std::vector<Tire> tires;
+  for (const Wheel& wheel : wheels) {
+    const auto own = settings.tires.of_body.find(wheel.name);
+    const std::string& name =
+        own == settings.tires.of_body.end() ? settings.tires.of_all : own->second;
+    if (name == kAutoTire) {
+      tires.push_back(MakeAutoTire(m, wheels, wheel));
+    } else {
+      tires.push_back(catalogue.Find(name));
+      WarnOfRadius(wheel, tires.back());
+    }
+  }
+  return tires;
+}
+
+}  // namespace softsoil

@@ -1,0 +1,50 @@
+#include "terrain/load_reach.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "terrain/point_load.h"
+
+namespace softsoil {
+
+LoadReach::LoadReach(const SurfaceLoad& load, double concentration_factor) {
+  const double per_vertical = FroehlichReach(concentration_factor);
+  const double per_horizontal = CerrutiReach();
+  for (const NodeForce& f : load) {
+    if (footprints_.empty() || footprints_.back().source != f.source) {
+      footprints_.push_back({f.source, f.x, f.x, f.y, f.y, 0});
+    }
+    Footprint& print = footprints_.back();
+    print.x_min = std::min(print.x_min, f.x);
+    print.x_max = std::max(print.x_max, f.x);
+    print.y_min = std::min(print.y_min, f.y);
+    print.y_max = std::max(print.y_max, f.y);
+    print.reach += per_vertical * std::abs(f.force_w.z()) +
+                   per_horizontal * f.force_w.head<2>().norm();
+  }
+}
+
+LoadReach::Bound LoadReach::At(double x, double y) const {
+  Bound bound{0, -1};
+  double most = 0;
+  for (const Footprint& f : footprints_) {
+    const double dx = std::max({f.x_min - x, x - f.x_max, 0.0});
+    const double dy = std::max({f.y_min - y, y - f.y_max, 0.0});
+    const double distance2 = dx * dx + dy * dy;
+    const double share =
+        distance2 > 0 ? f.reach / distance2 : std::numeric_limits<double>::infinity();
+    if (share > most) bound.source = f.source;
+    most = std::max(most, share);
+    bound.stress += share;
+  }
+  return bound;
+}
+
+double LoadReach::Radius(double stress) const {
+  double reach = 0;
+  for (const Footprint& f : footprints_) reach += f.reach;
+  return std::sqrt(reach / stress);
+}
+
+}  // namespace softsoil

@@ -1,0 +1,46 @@
+// How far a surface load can compact soil. A bound that no stress exceeds tells which columns the
+// load cannot change.
+#pragma once
+
+#include <vector>
+
+#include "terrain/surface_load.h"
+
+namespace softsoil {
+
+class LoadReach {
+ public:
+  // concentration_factor nu [-].
+  LoadReach(const SurfaceLoad& load, double concentration_factor);
+
+  // Bound [Pa] on the vertical stress anywhere below x, y [m], and the source that gives most of
+  // it (-1 without load). Infinite inside the rectangle that a source covers.
+  struct Bound {
+    double stress;
+    int source;
+  };
+  Bound At(double x, double y) const;
+
+  // Calls visit(x_min, x_max, y_min, y_max) [m] for rectangles outside of which the bound is
+  // below `stress` [Pa] > 0.
+  template <class Visit>
+  void ForEachRectangle(double stress, const Visit& visit) const {
+    const double radius = Radius(stress);
+    for (const Footprint& f : footprints_) {
+      visit(f.x_min - radius, f.x_max + radius, f.y_min - radius, f.y_max + radius);
+    }
+  }
+
+ private:
+  // All forces of one source as if they stood in every point of their rectangle.
+  struct Footprint {
+    int source;
+    double x_min, x_max, y_min, y_max;  // [m]
+    double reach;                       // [N]  stress <= reach / distance^2
+  };
+  double Radius(double stress) const;
+
+  std::vector<Footprint> footprints_;
+};
+
+}  // namespace softsoil

@@ -1,0 +1,46 @@
+// Shear strength of soil and how slip mobilises it.
+#pragma once
+
+#include <cmath>
+
+#include "terrain/host_device.h"
+
+namespace softsoil {
+
+struct Shear {
+  double cohesion;        // [Pa]   c, >= 0
+  double friction_angle;  // [rad]  phi, 0 to below pi/2
+  double modulus;         // [m]    K: slip that mobilises 63 % of the strength, > 0
+};
+
+// Largest shear stress [Pa] that a surface of friction coefficient mu_s can pass to soil under
+// the pressure sigma [Pa]: Mohr-Coulomb in the soil or friction on the surface, whichever is less.
+// Algorithm 4.1.4 lines 4 and 5 (line 5 prints tau_max where tau_mc is meant).
+SOFTSOIL_HD inline double ShearStrength(const Shear& soil, double mu_s, double sigma) {
+  if (sigma <= 0) return 0.0;
+  const double mohr_coulomb = soil.cohesion + sigma * std::tan(soil.friction_angle);
+  const double friction = mu_s * sigma;
+  return mohr_coulomb < friction ? mohr_coulomb : friction;
+}
+
+// Share of the shear strength that is mobilised, as a vector in the tangent plane, length 0 to 1.
+struct Mobilisation {
+  double t, b;  // [-]  along the tangent and the binormal of the node
+};
+
+// Mobilisation after slipping for the time h [s] at the velocity (v_t, v_b) [m/s].
+//
+// Janosi-Hanamoto in the form of a rate, dm = (v - |v| m) dt / K. From rest and at a constant
+// direction it is |m| = 1 - exp(-j/K), equation 4.15 as it should read, for any time step. Unlike
+// a slip displacement that is merely summed (4.10) it forgets the slip that it has already turned
+// into plastic shear: the stress unloads and reverses with the slip, a small oscillation of a
+// resting wheel dies out, and the length never exceeds one.
+SOFTSOIL_HD inline Mobilisation Slip(Mobilisation m, double v_t, double v_b, double h, double K) {
+  const double speed = std::sqrt(v_t * v_t + v_b * v_b);
+  if (speed <= 0) return m;
+  const double kept = std::exp(-h * speed / K);
+  const double towards_t = v_t / speed, towards_b = v_b / speed;
+  return {towards_t + (m.t - towards_t) * kept, towards_b + (m.b - towards_b) * kept};
+}
+
+}  // namespace softsoil

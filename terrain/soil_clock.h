@@ -1,0 +1,50 @@
+// Runs the soil update in the background while the vehicle goes on.
+//
+// The exchange happens at fixed simulated times: a tick waits for the job of the tick before. So
+// results do not depend on how fast a machine or a thread is.
+#pragma once
+
+#include <functional>
+#include <future>
+#include <memory>
+
+namespace softsoil {
+
+// Threads shared by all soils of the process, at most one per processor; made when first needed.
+class WorkerPool {
+ public:
+  static WorkerPool& Shared();
+  ~WorkerPool();
+  // Runs `job` on a worker; get() of the future rethrows what it threw.
+  std::future<void> Run(std::function<void()> job);
+
+ private:
+  explicit WorkerPool(int threads);
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+// The fixed instants of simulated time at which surface and soil exchange.
+class SoilClock {
+ public:
+  // period [s] > 0.
+  explicit SoilClock(double period) : period_(period) {}
+
+  // Passes h [s] of simulated time; true when a period is full. Then Elapsed() is its length,
+  // which differs from the nominal one if the time step does not divide it.
+  bool Pass(double h) {
+    if (full_) elapsed_ = 0;
+    elapsed_ += h;
+    full_ = elapsed_ > period_ - h / 2;
+    return full_;
+  }
+  double Elapsed() const { return elapsed_; }
+  double period() const { return period_; }
+
+ private:
+  double period_;
+  double elapsed_ = 0;
+  bool full_ = false;
+};
+
+}  // namespace softsoil

@@ -1,0 +1,43 @@
+// Vertical stress in the soil below loaded ground. One interface, several backends: `direct` is
+// the reference that every other one is tested against.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "terrain/surface_load.h"
+
+namespace softsoil {
+
+// Columns whose stress is asked for. Volumes are counted from the top down.
+struct ColumnBatch {
+  int volumes;                 // per column
+  std::vector<double> x, y;    // [m]  one per column
+  std::vector<double> z;       // [m]  centre of each volume, column by column
+  std::vector<double> surface_pressure;  // [Pa]  vertical load on the column's own node
+
+  std::size_t columns() const { return x.size(); }
+};
+
+class StressField {
+ public:
+  virtual ~StressField() = default;
+
+  // Fills stress[column * batch.volumes + volume] [Pa], compression positive, resized to fit.
+  // Volumes closer than the near field radius to a force take the surface pressure of their own
+  // column (3.13): a lattice of point loads is right only some way below the surface.
+  virtual void VerticalStress(const ColumnBatch& batch, const SurfaceLoad& load,
+                              std::vector<float>* stress) const = 0;
+};
+
+struct StressSettings {
+  double concentration_factor;  // [-]  nu, 3 to 6
+  double near_field_radius;     // [m]  R_min
+  int threads;                  // >= 1; has no influence on the result
+};
+
+// The sum over all pairs: OpenMP over columns, SIMD over the volumes of a column. In float; the
+// error against the laws in double is below 1e-5 of the peak stress.
+std::unique_ptr<StressField> MakeDirectStress(const StressSettings& settings);
+
+}  // namespace softsoil

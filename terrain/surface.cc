@@ -1,0 +1,144 @@
+#include "terrain/surface.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace softsoil {
+
+namespace {
+
+// Bilinear interpolation (3.2) at the fractions u, v of a cell, and its slopes.
+struct Bilinear {
+  Bilinear(const double* row0, const double* row1, double u, double v, double dx) {
+    const double along_x = row1[0] - row0[0], along_y = row0[1] - row0[0];
+    const double twist = row0[0] - row1[0] - row0[1] + row1[1];
+    value = row0[0] + u * along_x + v * along_y + u * v * twist;
+    slope_x = (along_x + v * twist) / dx;
+    slope_y = (along_y + u * twist) / dx;
+  }
+  double value, slope_x, slope_y;
+};
+
+}  // namespace
+
+SurfacePoint SurfacePatch::At(double x, double y) const {
+  const double gx = x / spacing_ - first_.i, gy = y / spacing_ - first_.j;
+  const int a = std::clamp(static_cast<int>(gx), 0, nodes_x_ - 2);
+  const int b = std::clamp(static_cast<int>(gy), 0, nodes_y_ - 2);
+  const std::size_t k = static_cast<std::size_t>(a) * nodes_y_ + b;
+  const Bilinear height(&height_[k], &height_[k + nodes_y_], gx - a, gy - b, spacing_);
+  const Bilinear sinkage(&sinkage_[k], &sinkage_[k + nodes_y_], gx - a, gy - b, spacing_);
+  return {height.value,   sinkage.value,
+          height.slope_x, height.slope_y,
+          height.slope_x + sinkage.slope_x, height.slope_y + sinkage.slope_y};
+}
+
+bool SurfacePatch::Covers(double x, double y) const {
+  const double gx = x / spacing_ - first_.i, gy = y / spacing_ - first_.j;
+  return gx >= 0 && gy >= 0 && gx <= nodes_x_ - 1 && gy <= nodes_y_ - 1;
+}
+
+Surface::Surface(double spacing, SurfaceMode mode, UndisturbedHeight undisturbed)
+    : spacing_(spacing), mode_(mode), undisturbed_(std::move(undisturbed)) {}
+
+double Surface::Undisturbed(GridNode node) const {
+  return undisturbed_(node.i * spacing_, node.j * spacing_);
+}
+
+double Surface::Sinkage(const Tile& tile, int place) const {
+  return mode_ == SurfaceMode::kFlow ? std::max(tile.compaction[place], tile.plastic[place])
+                                     : tile.compaction[place];
+}
+
+double Surface::NodeHeight(GridNode node) const {
+  const Tile* tile = tiles_.Find(TileOf(node));
+  if (tile == nullptr) return Undisturbed(node);
+  const int place = PlaceInTile(node);
+  return tile->undisturbed[place] - Sinkage(*tile, place);
+}
+
+double Surface::Height(double x, double y) const {
+  SurfacePatch cell;
+  CopyPatch(x, x, y, y, &cell);
+  return cell.At(x, y).height;
+}
+
+void Surface::CopyPatch(double x_min, double x_max, double y_min, double y_max,
+                        SurfacePatch* patch) const {
+  const auto below = [this](double x) { return static_cast<int>(std::floor(x / spacing_)); };
+  patch->spacing_ = spacing_;
+  patch->first_ = {below(x_min), below(y_min)};
+  patch->nodes_x_ = below(x_max) - patch->first_.i + 2;
+  patch->nodes_y_ = below(y_max) - patch->first_.j + 2;
+  const std::size_t count = static_cast<std::size_t>(patch->nodes_x_) * patch->nodes_y_;
+  patch->height_.resize(count);
+  patch->sinkage_.resize(count);
+  std::size_t k = 0;
+  for (int a = 0; a < patch->nodes_x_; ++a) {
+    const Tile* tile = nullptr;
+    for (int b = 0; b < patch->nodes_y_; ++b, ++k) {
+      const GridNode node{patch->first_.i + a, patch->first_.j + b};
+      if (b == 0 || (node.j & (kTileSide - 1)) == 0) tile = tiles_.Find(TileOf(node));
+      const int place = PlaceInTile(node);
+      patch->sinkage_[k] = tile != nullptr ? Sinkage(*tile, place) : 0.0;
+      const double undisturbed = tile != nullptr ? tile->undisturbed[place] : Undisturbed(node);
+      patch->height_[k] = undisturbed - patch->sinkage_[k];
+    }
+  }
+  patch->highest_ = *std::max_element(patch->height_.begin(), patch->height_.end());
+}
+
+Surface::Tile& Surface::Touch(GridNode node) {
+  const TileIndex index = TileOf(node);
+  return tiles_.Touch(index, [this, index] {
+    auto tile = std::make_unique<Tile>();
+    for (int place = 0; place < kTileSide * kTileSide; ++place) {
+      tile->undisturbed[place] = Undisturbed(NodeAt(index, place));
+    }
+    tile->compaction.fill(0);
+    tile->plastic.fill(0);
+    return tile;
+  });
+}
+
+void Surface::SetCompaction(NodeSinkage compaction) {
+  Touch(compaction.node).compaction[PlaceInTile(compaction.node)] = compaction.sinkage;
+}
+
+void Surface::DeepenPlastic(NodeSinkage plastic) {
+  if (mode_ != SurfaceMode::kFlow) return;
+  double& sinkage = Touch(plastic.node).plastic[PlaceInTile(plastic.node)];
+  sinkage = std::max(sinkage, plastic.sinkage);
+}
+
+double Surface::RutVolume() const {
+  double depth = 0;
+  tiles_.ForEach([&](TileIndex, const Tile& tile) {
+    for (int place = 0; place < kTileSide * kTileSide; ++place) depth += Sinkage(tile, place);
+  });
+  return depth * spacing_ * spacing_;
+}
+
+double Surface::DisplacedVolume() const {
+  double depth = 0;
+  tiles_.ForEach([&](TileIndex, const Tile& tile) {
+    for (int place = 0; place < kTileSide * kTileSide; ++place) {
+      depth += Sinkage(tile, place) - tile.compaction[place];
+    }
+  });
+  return depth * spacing_ * spacing_;
+}
+
+std::size_t Surface::MemoryBytes() const { return tiles_.size() * sizeof(Tile); }
+
+void Surface::ForEachNode(const std::function<void(GridNode, double, double)>& visit) const {
+  tiles_.ForEach([&](TileIndex index, const Tile& tile) {
+    for (int place = 0; place < kTileSide * kTileSide; ++place) {
+      const double sinkage = Sinkage(tile, place);
+      visit(NodeAt(index, place), tile.undisturbed[place] - sinkage, sinkage);
+    }
+  });
+}
+
+}  // namespace softsoil

@@ -1,0 +1,176 @@
+#include "terrain/xml_catalogue.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <cstring>
+#include <filesystem>
+#include <system_error>
+
+#include "terrain/point_load.h"
+
+namespace softsoil {
+namespace {
+
+constexpr char kSource[] = "source";  // where a group of numbers comes from; each group has one
+
+bool ParseNumber(const char* text, double* value) {
+  const char* end = text + std::strlen(text);
+  const auto [stop, error] = std::from_chars(text, end, *value);
+  return error == std::errc() && stop == end && std::isfinite(*value);
+}
+
+std::string Listed(const std::vector<std::string>& words) {
+  std::string list;
+  for (const std::string& word : words) list += (list.empty() ? "" : ", ") + word;
+  return list;
+}
+
+}  // namespace
+
+std::string Shown(double value) {
+  char text[32];
+  return std::string(text, std::to_chars(text, text + sizeof text, value).ptr);
+}
+
+bool Contains(Range range, double value) {
+  switch (range) {
+    case Range::kAny: return std::isfinite(value);
+    case Range::kNotNegative: return value >= 0 && std::isfinite(value);
+    case Range::kPositive: return value > 0 && std::isfinite(value);
+    case Range::kUpTo90Degrees: return value >= 0 && value < 90;
+    case Range::kConcentration: return value >= 3 && value <= 6;
+  }
+  return false;
+}
+
+std::string InWords(Range range) {
+  switch (range) {
+    case Range::kAny: return "finite";
+    case Range::kNotNegative: return ">= 0";
+    case Range::kPositive: return "> 0";
+    case Range::kUpTo90Degrees: return ">= 0 and < 90";
+    case Range::kConcentration: return "3 to 6";
+  }
+  return "";
+}
+
+XmlEntry::XmlEntry(std::string file, const tinyxml2::XMLElement& element)
+    : file_(std::move(file)), element_(element) {
+  const char* name = element.Attribute("name");
+  if (name == nullptr || *name == '\0') Refuse("attribute name is missing");
+  name_ = name;
+  const char* description = element.Attribute("description");
+  if (description != nullptr) description_ = description;
+}
+
+void XmlEntry::Refuse(const tinyxml2::XMLElement& at, const std::string& rule) const {
+  std::string where = std::string("<") + element_.Name() + " name=\"" + name_ + "\">";
+  if (&at != &element_) where += std::string(" <") + at.Name() + ">";
+  throw InputError(file_ + ":" + std::to_string(at.GetLineNum()) + ": " + where + ": " + rule);
+}
+
+bool XmlEntry::Has(const char* element) const {
+  return element_.FirstChildElement(element) != nullptr;
+}
+
+const tinyxml2::XMLElement& XmlEntry::Child(const char* element) const {
+  const tinyxml2::XMLElement* child = element_.FirstChildElement(element);
+  if (child == nullptr) Refuse(std::string("element <") + element + "> is missing");
+  if (child->NextSiblingElement(element) != nullptr) {
+    Refuse(*child->NextSiblingElement(element), "stands here a second time");
+  }
+  return *child;
+}
+
+const char* XmlEntry::Value(const char* element, const char* name) {
+  const tinyxml2::XMLElement& child = Child(element);
+  const char* text = child.Attribute(name);
+  if (text == nullptr) Refuse(child, std::string("attribute ") + name + " is missing");
+  read_.insert(element);
+  read_.insert(std::string(element) + "." + name);
+  return text;
+}
+
+double XmlEntry::Number(const char* element, const char* name, const char* unit, Range range) {
+  const char* text = Value(element, name);
+  const std::string unit_text = *unit != '\0' ? std::string(" ") + unit : "";
+  double value = 0;
+  if (!ParseNumber(text, &value)) {
+    Refuse(Child(element),
+           std::string(name) + " must be a finite number" + unit_text + ", got \"" + text + "\"");
+  }
+  if (!Contains(range, value)) {
+    Refuse(Child(element),
+           std::string(name) + " must be " + InWords(range) + unit_text + ", got " + text);
+  }
+  return value;
+}
+
+std::string XmlEntry::Text(const char* element, const char* name,
+                           const std::vector<std::string>& allowed) {
+  const std::string text = Value(element, name);
+  if (text.empty()) Refuse(Child(element), std::string(name) + " must not be empty");
+  if (!allowed.empty() && std::find(allowed.begin(), allowed.end(), text) == allowed.end()) {
+    Refuse(Child(element), std::string(name) + " must be one of " + Listed(allowed) + ", got \"" +
+                               text + "\"");
+  }
+  return text;
+}
+
+void XmlEntry::RefuseUnread() const {
+  for (const auto* a = element_.FirstAttribute(); a != nullptr; a = a->Next()) {
+    if (std::strcmp(a->Name(), "name") != 0 && std::strcmp(a->Name(), "description") != 0) {
+      Refuse(std::string("unknown attribute ") + a->Name());
+    }
+  }
+  for (const auto* child = element_.FirstChildElement(); child != nullptr;
+       child = child->NextSiblingElement()) {
+    const std::string element = child->Name();
+    if (read_.count(element) == 0) Refuse("unknown element <" + element + ">");
+    const char* source = child->Attribute(kSource);
+    if (source == nullptr || *source == '\0') {
+      Refuse(*child, "attribute source is missing: say where the numbers come from");
+    }
+    for (const auto* a = child->FirstAttribute(); a != nullptr; a = a->Next()) {
+      if (std::strcmp(a->Name(), kSource) != 0 && read_.count(element + "." + a->Name()) == 0) {
+        Refuse(*child, std::string("unknown attribute ") + a->Name());
+      }
+    }
+  }
+}
+
+void ForEachEntry(const std::string& file, const std::string& kind,
+                  const std::function<void(XmlEntry&)>& read) {
+  tinyxml2::XMLDocument document;
+  if (document.LoadFile(file.c_str()) != tinyxml2::XML_SUCCESS) {
+    throw InputError(file + ":" + std::to_string(document.ErrorLineNum()) + ": " +
+                     document.ErrorStr());
+  }
+  const auto refuse = [&file](const tinyxml2::XMLElement& at, const std::string& wanted) {
+    throw InputError(file + ":" + std::to_string(at.GetLineNum()) + ": expected " + wanted +
+                     ", got <" + at.Name() + ">");
+  };
+  const tinyxml2::XMLElement* root = document.RootElement();
+  if (root == nullptr) throw InputError(file + ":1: holds no element");
+  if (root->Name() != kind + "s") refuse(*root, "the root <" + kind + "s>");
+  for (const auto* e = root->FirstChildElement(); e != nullptr; e = e->NextSiblingElement()) {
+    if (e->Name() != kind) refuse(*e, "<" + kind + ">");
+    XmlEntry entry(file, *e);
+    read(entry);
+    entry.RefuseUnread();
+  }
+}
+
+std::vector<std::string> XmlFilesIn(const std::string& folder) {
+  std::error_code error;
+  std::vector<std::string> files;
+  for (const auto& item : std::filesystem::directory_iterator(folder, error)) {
+    if (item.path().extension() == ".xml") files.push_back(item.path().string());
+  }
+  if (error) throw InputError(folder + ": " + error.message());
+  std::sort(files.begin(), files.end());
+  return files;
+}
+
+}  // namespace softsoil

@@ -1,0 +1,27 @@
+#!/usr/bin/env bash
+# Installs the build and uses the installation as a stranger would: from CMake in a C program, and
+# as the program softsoil. Usage: SOFTSOIL_BUILD=<build folder> find_package_test.sh <version>
+set -euo pipefail
+
+here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
+version=$1
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+
+fail() { echo "find_package_test: $*" >&2; exit 1; }
+
+cmake --install "$SOFTSOIL_BUILD" --prefix "$work/original" >/dev/null
+mv "$work/original" "$work/prefix"  # an installation may be moved
+
+cmake -S "$here/consumer" -B "$work/build" -DCMAKE_PREFIX_PATH="$work/prefix" \
+  -DEXPECTED_VERSION="$version" >/dev/null
+cmake --build "$work/build" >/dev/null
+got=$("$work/build/consumer")
+[[ $got == "$version" ]] || fail "softsoil_version() must be $version, got $got"
+
+library=$(ldd "$work/prefix/bin/softsoil" | awk '$1 == "libsoftsoil.so" { print $3 }')
+[[ $(realpath "$library") == "$work/prefix/lib/libsoftsoil.so" ]] ||
+  fail "the installed program must load the installed library, got $library"
+for data in models plot; do
+  [[ -d $work/prefix/share/softsoil/$data ]] || fail "share/softsoil/$data is not installed"
+done
