@@ -57,8 +57,7 @@ softsoilWheel WheelResult(const SoilBinding& soil, int wheel) {
   const softsoil::Wheel& known = soil.plan().wheels[wheel];
   const softsoil::TirePose& pose = soil.pose(wheel);
   const softsoil::PatchForces& forces = soil.forces(wheel);
-  const softsoil::WheelReport report =
-      ReportOf(soil.soft_wheels().tire(wheel), pose, forces);
+  const softsoil::WheelReport report = ReportOf(soil.soft_wheels().tire(wheel), pose, forces);
   const softsoil::CompactionWork& work = soil.soft_wheels().ground().Work(wheel);
 
   softsoilWheel result = {};
@@ -129,8 +128,8 @@ int softsoil_attach(const mjModel* m, mjData* d, const char* settings) {
 int softsoil_detach(const mjModel* m, mjData* d) {
   return Fenced([&] {
     Require(m, "mjModel");
-    SoilOf(d)->RemoveForces(d);
-    Registry::Get().Erase(d);
+    SoilOf(d);
+    softsoil::TakeSoil(m, d);
   });
 }
 

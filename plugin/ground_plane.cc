@@ -28,10 +28,9 @@ int OnlyPlane(const mjModel* m) {
     names.push_back(GeomName(m, geom));
   }
   if (planes.size() == 1) return planes[0];
-  throw InputError(planes.empty()
-                       ? "no ground: the world must have a geom of type plane"
-                       : "which plane is the ground? Name one of " + Listed(names) +
-                             " in <custom> <text name=\"softsoil_ground\">");
+  throw InputError(planes.empty() ? "no ground: the world must have a geom of type plane"
+                                  : "which plane is the ground? Name one of " + Listed(names) +
+                                        " in <custom> <text name=\"softsoil_ground\">");
 }
 
 int PlaneWithName(const mjModel* m, const std::string& name) {
@@ -47,8 +46,8 @@ int PlaneWithName(const mjModel* m, const std::string& name) {
 void RequireGravityDown(const mjModel* m) {
   const Vector3d g = Vector(m->opt.gravity);
   if (g.x() == 0 && g.y() == 0 && g.z() < 0) return;
-  throw InputError("<option> gravity: must act along -z, got " + Shown(g.x()) + " " +
-                   Shown(g.y()) + " " + Shown(g.z()));
+  throw InputError("<option> gravity: must act along -z, got " + Shown(g.x()) + " " + Shown(g.y()) +
+                   " " + Shown(g.z()));
 }
 
 }  // namespace
@@ -62,7 +61,8 @@ GroundPlane FindGroundPlane(const mjModel* m, const std::string& name) {
   const double degrees = std::acos(std::min(1.0, normal_w.z())) * 180 / kPi;
   if (degrees > kSteepestDegrees + 1e-9) {
     throw InputError("the ground, " + GeomName(m, geom) + ", must be at most " +
-                     Shown(kSteepestDegrees) + " degrees from level, got " + Shown(degrees));
+                     Shown(kSteepestDegrees) + " degrees from level, got " +
+                     Shown(std::round(degrees * 1000) / 1000));
   }
   const double slope_x = -normal_w.x() / normal_w.z(), slope_y = -normal_w.y() / normal_w.z();
   return {geom, [=](double x, double y) {

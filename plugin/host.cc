@@ -67,6 +67,17 @@ std::unique_ptr<SoilBinding> MakeSoil(SoilPlan plan) {
   return std::make_unique<SoilBinding>(std::move(plan));
 }
 
+// Soil that was there takes its forces along.
+void PutEntry(const mjModel* m, mjData* d, std::unique_ptr<SoilBinding> soil) {
+  auto entry = std::make_shared<SoilEntry>();
+  entry->fingerprint = FingerprintOf(m, d);
+  entry->soil = std::move(soil);
+  const std::shared_ptr<SoilEntry> old = Registry::Get().Find(d);
+  const bool is_same = old != nullptr && old->fingerprint == entry->fingerprint;
+  if (is_same && old->soil != nullptr) old->soil->RemoveForces(d);
+  Registry::Get().Put(d, std::move(entry));
+}
+
 // The soil that the model asks for, null if it asks for none.
 std::unique_ptr<SoilBinding> SoilThatModelWants(const mjModel* m) {
   const Settings settings = SettingsOf(m);
@@ -101,7 +112,8 @@ void ApplySoil(const mjModel* m, mjData* d, Failure* failure) {
     std::shared_ptr<SoilEntry> entry = EntryOf(m, d, failure);
     if (entry != nullptr && !(entry->fingerprint == FingerprintOf(m, d))) {
       Registry::Get().Erase(d);
-      if (!host.learns_models) Say("a mjData with soil was deleted without softsoil_detach()");
+      if (!host.learns_models && entry->soil != nullptr)
+        Say("a mjData with soil was deleted without softsoil_detach()");
       entry = EntryOf(m, d, failure);
     }
     if (entry != nullptr && entry->soil != nullptr) entry->soil->OnPassive(m, d);
@@ -198,13 +210,9 @@ void LearnModels(OnError on_error) {
 }
 
 void GiveSoil(const mjModel* m, mjData* d, SoilPlan plan) {
-  auto entry = std::make_shared<SoilEntry>();
-  entry->fingerprint = FingerprintOf(m, d);
-  entry->soil = MakeSoil(std::move(plan));
-  const std::shared_ptr<SoilEntry> old = Registry::Get().Find(d);
-  const bool is_same = old != nullptr && old->fingerprint == entry->fingerprint;
-  if (is_same && old->soil != nullptr) old->soil->RemoveForces(d);
-  Registry::Get().Put(d, std::move(entry));
+  PutEntry(m, d, MakeSoil(std::move(plan)));
 }
+
+void TakeSoil(const mjModel* m, mjData* d) { PutEntry(m, d, nullptr); }
 
 }  // namespace softsoil

@@ -28,4 +28,7 @@ void LearnModels(OnError on_error);
 // Gives a mjData the soil of a plan, in place of one it may have.
 void GiveSoil(const mjModel* m, mjData* d, SoilPlan plan);
 
+// From now on the mjData goes without soil.
+void TakeSoil(const mjModel* m, mjData* d);
+
 }  // namespace softsoil

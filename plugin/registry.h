@@ -16,7 +16,7 @@ namespace softsoil {
 // free, and mj_loadXML steps a mjData of its own.
 struct Fingerprint {
   const mjModel* model;
-  const void* buffer;  // of mjData
+  const void* buffer;   // of mjData
   std::size_t content;  // hash of names and <custom> of the model
 
   bool operator==(const Fingerprint& other) const {

@@ -46,8 +46,7 @@ void CheckNumber(const Setting& setting, double value) {
   }
   const bool whole = value == std::floor(value) && value <= kMostWhole;
   if (setting.kind == SettingKind::kWholeNumber && !whole) {
-    throw InputError("must be a whole number up to " + Shown(kMostWhole) + ", got " +
-                     Shown(value));
+    throw InputError("must be a whole number up to " + Shown(kMostWhole) + ", got " + Shown(value));
   }
 }
 

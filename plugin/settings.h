@@ -28,12 +28,12 @@ struct TireNames {
 };
 
 struct Settings {
-  std::string soil;               // name in the catalogue; empty: the model wants no soil
-  std::string ground;             // name of the plane geom; empty: the only one there is
+  std::string soil;    // name in the catalogue; empty: the model wants no soil
+  std::string ground;  // name of the plane geom; empty: the only one there is
   TireNames tires;
-  std::vector<std::string> wheels;  // names of bodies; empty: find them
+  std::vector<std::string> wheels;                  // names of bodies; empty: find them
   std::vector<std::string> soil_files, tire_files;  // catalogues besides ours
-  bool remove_rigid_contact = false;  // else warn of it
+  bool remove_rigid_contact = false;                // else warn of it
   GroundSettings terrain;
 };
 

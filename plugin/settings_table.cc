@@ -55,14 +55,12 @@ const std::vector<Setting>& SettingTable() {
       {"mode", kText, Range::kAny, "", "flow",
        "how the surface sinks: flow, or compaction alone as in the thesis",
        [](Settings& s, const V& v) {
-         s.terrain.mode = Choose(v.text, "flow", "compaction") ? SurfaceMode::kCompaction
-                                                               : SurfaceMode::kFlow;
+         s.terrain.mode =
+             Choose(v.text, "flow", "compaction") ? SurfaceMode::kCompaction : SurfaceMode::kFlow;
        }},
       {"rigid_contact", kText, Range::kAny, "", "warn",
        "what to do if wheels also touch the rigid plane: warn or remove",
-       [](Settings& s, const V& v) {
-         s.remove_rigid_contact = Choose(v.text, "warn", "remove");
-       }},
+       [](Settings& s, const V& v) { s.remove_rigid_contact = Choose(v.text, "warn", "remove"); }},
       {"soil_file", kText, Range::kAny, "", "none", "XML files with more soils",
        [](Settings& s, const V& v) { s.soil_files = Words(v.text, " \t\n,"); }},
       {"tire_file", kText, Range::kAny, "", "none", "XML files with more tires",

@@ -37,8 +37,8 @@ TirePose PoseOf(const mjModel* m, const mjData* d, const Wheel& wheel,
   pose.frame_w = body_w * tire_frame_b;
   pose.angular_velocity_w = Vector(d->cvel + 6 * body);
   const Vector3d reference_w = Vector(d->subtree_com + 3 * m->body_rootid[body]);
-  pose.velocity_w = Vector(d->cvel + 6 * body + 3) +
-                    pose.angular_velocity_w.cross(pose.centre_w - reference_w);
+  pose.velocity_w =
+      Vector(d->cvel + 6 * body + 3) + pose.angular_velocity_w.cross(pose.centre_w - reference_w);
   return pose;
 }
 
@@ -54,9 +54,7 @@ std::unique_ptr<SoftWheels> MakeSoftWheels(const SoilPlan& plan) {
 }  // namespace
 
 SoilBinding::SoilBinding(SoilPlan plan)
-    : plan_(std::move(plan)),
-      soft_wheels_(MakeSoftWheels(plan_)),
-      shares_(plan_.wheels.size()) {
+    : plan_(std::move(plan)), soft_wheels_(MakeSoftWheels(plan_)), shares_(plan_.wheels.size()) {
   for (const Wheel& wheel : plan_.wheels) tire_frame_b_.push_back(TireFrame(wheel.axis_b));
   for (Evaluation* evaluation : {&now_, &pending_}) {
     evaluation->poses.resize(plan_.wheels.size());
@@ -86,8 +84,7 @@ void SoilBinding::OnPassive(const mjModel* m, mjData* d) {
 void SoilBinding::LetHistoryPass(StepEvent event) {
   switch (event) {
     case StepEvent::kNextStep:
-      if (is_pending_) soft_wheels_->Commit(pending_.poses, pending_.forces, pending_.h);
-      is_pending_ = false;
+      if (is_pending_) Commit();
       break;
     case StepEvent::kBack: Reset(); break;
     case StepEvent::kJump:
@@ -99,6 +96,15 @@ void SoilBinding::LetHistoryPass(StepEvent event) {
     case StepEvent::kSameInstant:
     case StepEvent::kTrial: break;
   }
+}
+
+void SoilBinding::Commit() {
+  soft_wheels_->Commit(pending_.poses, pending_.forces, pending_.h);
+  is_pending_ = false;
+  if (warned_of_depth_ || !soft_wheels_->ground().LowestVolumeYields()) return;
+  Say("warning: the lowest soil volume yields under this load; increase softsoil_volumes (" +
+      std::to_string(plan_.terrain.volumes) + ")");
+  warned_of_depth_ = true;
 }
 
 void SoilBinding::Evaluate(const mjModel* m, const mjData* d) {

@@ -47,6 +47,7 @@ class SoilBinding {
   };
 
   void LetHistoryPass(StepEvent event);
+  void Commit();
   void Evaluate(const mjModel* m, const mjData* d);
   void WriteForces(mjData* d);
 
@@ -60,6 +61,7 @@ class SoilBinding {
   // for now, and the pending one, which is history as soon as its time step is known as accepted.
   Evaluation now_, pending_;
   bool is_pending_ = false;
+  bool warned_of_depth_ = false;
   const Evaluation* latest_ = &now_;
 };
 

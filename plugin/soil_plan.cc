@@ -22,8 +22,8 @@ void SayWheels(const SoilPlan& plan, bool named) {
   for (std::size_t i = 0; i < plan.wheels.size(); ++i) {
     list += (i == 0 ? "" : ", ") + plan.wheels[i].name + " (" + plan.tires[i].name + ")";
   }
-  Say("soil \"" + plan.soil.name + "\" under " + std::to_string(plan.wheels.size()) +
-      (named ? " wheels as named" : " wheels found by their geoms and hinges") + ": " + list);
+  Say("soil \"" + plan.soil.name + "\" under the wheels " +
+      (named ? "named in the model: " : "found by their geoms and hinges: ") + list);
 }
 
 void WarnOfRigidContact(const mjModel* m, const SoilPlan& plan) {
@@ -37,8 +37,8 @@ void WarnOfTimeStep(const mjModel* m, const SoilPlan& plan) {
     const double load = StaticLoad(m, plan.wheels, plan.wheels[i]);
     const double longest = LongestStep(m, plan.wheels[i], plan.tires[i], plan.soil, load);
     if (m->opt.timestep <= longest / 2) continue;
-    Say("warning: wheel \"" + plan.wheels[i].name + "\": the time step " +
-        Shown(m->opt.timestep) + " s is more than half of about " + Shown(longest) +
+    Say("warning: wheel \"" + plan.wheels[i].name + "\": the time step " + Shown(m->opt.timestep) +
+        " s is more than half of about " + Shown(longest) +
         " s, the longest that its tire and mass allow; make it shorter");
   }
 }

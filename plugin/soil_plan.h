@@ -18,8 +18,8 @@ struct SoilPlan {
   GroundSettings terrain;
   GroundPlane ground;
   std::vector<Wheel> wheels;
-  std::vector<Tire> tires;        // by wheel
-  std::vector<bool> is_wheels;    // by geom: it turns with a wheel
+  std::vector<Tire> tires;      // by wheel
+  std::vector<bool> is_wheels;  // by geom: it turns with a wheel
   bool remove_rigid_contact;
 };
 

@@ -12,10 +12,10 @@
 namespace softsoil {
 namespace {
 
-constexpr double kDeflection = 0.02;         // of the radius
-constexpr double kDampingRatio = 0.1;        // of critical
-constexpr double kSoilFriction = 0.65;       // rubber on soil, as the tires of the catalogue
-constexpr double kRadiusTolerance = 0.05;    // between tire and geom
+constexpr double kDeflection = 0.02;          // of the radius
+constexpr double kDampingRatio = 0.1;         // of critical
+constexpr double kSoilFriction = 0.65;        // rubber on soil, as the tires of the catalogue
+constexpr double kRadiusTolerance = 0.05;     // between tire and geom
 constexpr double kMeanPenetration = 2.0 / 3;  // of the deepest, under a round tire
 
 TireShape Torus(double radius, double crown_radius, double half_width) {

@@ -1,7 +1,6 @@
 #include "plugin/wheel_finder.h"
 
 #include <Eigen/Geometry>
-
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -196,19 +195,20 @@ Wheel NamedWheel(const mjModel* m, int body) {
   const std::vector<Spin> spins = SpinsOf(m, body);
   if (spins.empty()) {
     Refuse(BodyName(m, body) +
-                     " has no spin axis: it must turn about an unlimited hinge of its own or of "
-                     "the body it is welded to, and nearer to level than to upright");
+           " has no spin axis: it must turn about an unlimited hinge of its own or of "
+           "the body it is welded to, and nearer to level than to upright");
   }
   if (!HasMesh(m, body)) {
     Refuse(BodyName(m, body) +
-                     " has no geom round about its hinge: it must have a cylinder, capsule, "
-                     "ellipsoid or sphere whose axis is within 2 degrees of the hinge and whose "
-                     "centre is within 5 % of the radius of it, or a mesh");
+           " has no geom round about its hinge: it must have a cylinder, capsule, "
+           "ellipsoid or sphere whose axis is within 2 degrees of the hinge and whose "
+           "centre is within 5 % of the radius of it, or a mesh");
   }
   const Spin& spin = spins.front();
   const Vector3d centre_of_mass = Vector(m->body_ipos + 3 * body);
-  return {body, WheelName(m, body), spin.joint, OnAxis(spin, centre_of_mass), spin.axis_b,
-          WheelOutline::kUnknown, 0, 0, -1};
+  return {body,        WheelName(m, body),     spin.joint, OnAxis(spin, centre_of_mass),
+          spin.axis_b, WheelOutline::kUnknown, 0,          0,
+          -1};
 }
 
 int BodyWithName(const mjModel* m, const std::string& name) {

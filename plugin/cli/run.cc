@@ -109,9 +109,10 @@ void Run(const RunOptions& options) {
   const std::string python = options.picture ? PythonThatPlots() : "";
 
   HandleMujocoMessages();
-  Simulation simulation(scene, options.settings);
+  Simulation simulation(scene);
   Controls controls;
   if (!options.controls.empty()) controls = Controls(options.controls, simulation.Actuators());
+  simulation.GiveSoil(options.settings);
   PrepareFolder(options.folder);
   RemoveOldResults(options.folder);
 

@@ -1,5 +1,6 @@
 #include "plugin/cli/simulation.h"
 
+#include <algorithm>
 #include <cstdio>
 #include <limits>
 #include <stdexcept>
@@ -9,11 +10,20 @@
 namespace softsoil {
 namespace {
 
+// MuJoCo breaks its messages into lines.
+std::string OnOneLine(std::string message) {
+  message.erase(message.find_last_not_of(" \n") + 1);
+  std::replace(message.begin(), message.end(), '\n', ' ');
+  return message;
+}
+
 mjModel* Load(const std::string& file) {
   char message[1000] = "";
   mjModel* model = mj_loadXML(file.c_str(), nullptr, message, sizeof message);
-  if (model == nullptr) throw InputError(file + ": " + message);
-  if (*message != '\0') std::fprintf(stderr, "softsoil: %s: %s\n", file.c_str(), message);
+  if (model == nullptr) throw InputError(file + ": " + OnOneLine(message));
+  if (*message != '\0') {
+    std::fprintf(stderr, "softsoil: %s: %s\n", file.c_str(), OnOneLine(message).c_str());
+  }
   return model;
 }
 
@@ -30,18 +40,18 @@ bool Diverged(const mjData& data) {
 
 }  // namespace
 
-Simulation::Simulation(const std::string& scene_file, const std::string& settings)
-    : model_(Load(scene_file)), data_(mj_makeData(model_)) {
-  if (softsoil_attach(model_, data_, settings.c_str()) == 0) return;
-  mj_deleteData(data_);
-  mj_deleteModel(model_);
-  throw InputError(scene_file + ": " + softsoil_error());
-}
+Simulation::Simulation(const std::string& scene_file)
+    : scene_file_(scene_file), model_(Load(scene_file)), data_(mj_makeData(model_)) {}
 
 Simulation::~Simulation() {
   softsoil_detach(model_, data_);
   mj_deleteData(data_);
   mj_deleteModel(model_);
+}
+
+void Simulation::GiveSoil(const std::string& settings) {
+  if (softsoil_attach(model_, data_, settings.c_str()) == 0) return;
+  throw InputError(scene_file_ + ": " + softsoil_error());
 }
 
 std::vector<Actuator> Simulation::Actuators() const {
@@ -68,11 +78,14 @@ void Simulation::Step(const Controls& controls) {
   if (softsoil_wheel_count(data_) < 0) throw std::runtime_error(softsoil_error());
 }
 
-// Position and velocity stage alone: the passive forces are evaluated, and the solver does not run,
-// whose warm start would change.
+// Position and velocity stage alone evaluate the passive forces; the solver, whose warm start would
+// change, does not run. The position stage normalizes quaternions, and twice is not the same bits
+// as once.
 void Simulation::EvaluateWheels() {
+  const std::vector<mjtNum> positions(data_->qpos, data_->qpos + model_->nq);
   mj_fwdPosition(model_, data_);
   mj_fwdVelocity(model_, data_);
+  std::copy(positions.begin(), positions.end(), data_->qpos);
 }
 
 std::vector<softsoilWheel> Simulation::Wheels() const {

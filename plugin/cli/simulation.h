@@ -13,8 +13,8 @@ namespace softsoil {
 
 class Simulation {
  public:
-  // `settings` as for softsoil_attach(). Throws InputError.
-  Simulation(const std::string& scene_file, const std::string& settings);
+  // A model without soil. Throws InputError.
+  explicit Simulation(const std::string& scene_file);
   ~Simulation();
   Simulation(const Simulation&) = delete;
   Simulation& operator=(const Simulation&) = delete;
@@ -22,6 +22,9 @@ class Simulation {
   const mjModel& model() const { return *model_; }
   double Time() const { return data_->time; }  // [s]
   std::vector<Actuator> Actuators() const;
+
+  // Before any step. `settings` as for softsoil_attach(). Throws InputError.
+  void GiveSoil(const std::string& settings);
 
   // Drives as the controls say and steps. Throws std::runtime_error if the model diverges or has
   // lost its soil.
@@ -36,8 +39,9 @@ class Simulation {
   void VisitSurface(softsoilVisitor visit, void* user) const;
 
  private:
-  mjModel* model_ = nullptr;
-  mjData* data_ = nullptr;
+  std::string scene_file_;
+  mjModel* model_;
+  mjData* data_;
 };
 
 }  // namespace softsoil

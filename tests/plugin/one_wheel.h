@@ -21,14 +21,16 @@ struct OneWheel {
     return "<mujoco model=\"one_wheel\"><option timestep=\"0.001\" " + option + "/><custom>" +
            custom + "</custom>" + others + R"(
       <worldbody>
-        <geom name="field" type="plane" size="9 9 1" )" + plane + R"(/>
+        <geom name="field" type="plane" size="9 9 1" )" +
+           plane + R"(/>
         <body name="hub" pos="0 0 .4">
           <inertial pos="0 0 0" mass="190" diaginertia="5 5 5"/>
           <joint type="slide" axis="1 0 0"/>
           <joint type="slide" axis="0 0 1" damping="3000"/>
           <body name="wheel">
             <joint name="spin" axis="0 1 0"/>
-            <geom name="tread" mass="10" )" + wheel_geom + R"(/>
+            <geom name="tread" mass="10" )" +
+           wheel_geom + R"(/>
           </body>
         </body>
       </worldbody></mujoco>)";

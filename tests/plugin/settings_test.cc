@@ -12,7 +12,8 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 
 Settings FromModel(const std::string& custom) {
-  const std::string wheel = R"(<body name="w"><joint axis="0 1 0"/><geom name="g" size="1"/></body>)";
+  const std::string wheel =
+      R"(<body name="w"><joint axis="0 1 0"/><geom name="g" size="1"/></body>)";
   return SettingsOf(Load(World(wheel, "<custom>" + custom + "</custom>")).get());
 }
 
@@ -40,13 +41,14 @@ std::string Text(const std::string& name, const std::string& data) {
 }
 
 TEST(Settings, AreAllReadFromAModel) {
-  const Settings s = FromModel(
-      Text("soil", "mud") + Text("tire", "slick w=lugs") + Text("ground", "field") +
-      Text("mode", "compaction") + Text("rigid_contact", "remove") + Text("soil_file", "a.xml b.xml") +
-      Text("tire_file", "c.xml") + Numeric("grid_spacing", "0.05") + Numeric("volume_height", "0.03") +
-      Numeric("volumes", "20") + Numeric("clock", "0.02") + Numeric("sync", "1") +
-      Numeric("threads", "3") +
-      R"(<tuple name="softsoil_wheels"><element objtype="body" objname="w"/></tuple>)");
+  const Settings s =
+      FromModel(Text("soil", "mud") + Text("tire", "slick w=lugs") + Text("ground", "field") +
+                Text("mode", "compaction") + Text("rigid_contact", "remove") +
+                Text("soil_file", "a.xml b.xml") + Text("tire_file", "c.xml") +
+                Numeric("grid_spacing", "0.05") + Numeric("volume_height", "0.03") +
+                Numeric("volumes", "20") + Numeric("clock", "0.02") + Numeric("sync", "1") +
+                Numeric("threads", "3") +
+                R"(<tuple name="softsoil_wheels"><element objtype="body" objname="w"/></tuple>)");
   EXPECT_EQ(s.soil, "mud");
   EXPECT_EQ(s.tires.of_all, "slick");
   EXPECT_EQ(s.tires.of_body.at("w"), "lugs");

@@ -9,8 +9,8 @@
 namespace softsoil {
 namespace {
 
-using testing::ElementsAre;
 using testing::Each;
+using testing::ElementsAre;
 
 constexpr StepEvent kFirst = StepEvent::kFirst, kNextStep = StepEvent::kNextStep,
                     kSameInstant = StepEvent::kSameInstant, kTrial = StepEvent::kTrial,
@@ -28,9 +28,9 @@ TEST(StepWatch, AcceptsOneStepPerTimeStep) {
 }
 
 TEST(StepWatch, TakesTheStagesOfRungeKuttaForTrials) {
-  EXPECT_THAT(See({0, 0.5, 0.5, 1, 1, 1.5, 1.5, 2}, 1),
-              ElementsAre(kFirst, kTrial, kTrial, kNextStep, kSameInstant, kTrial, kTrial,
-                          kNextStep));
+  EXPECT_THAT(
+      See({0, 0.5, 0.5, 1, 1, 1.5, 1.5, 2}, 1),
+      ElementsAre(kFirst, kTrial, kTrial, kNextStep, kSameInstant, kTrial, kTrial, kNextStep));
 }
 
 TEST(StepWatch, TellsResetsAndJumps) {
@@ -55,8 +55,8 @@ void Count(const mjModel* m, mjData* d) {
 TEST(StepWatch, CountsEveryStepOfEveryIntegratorOnceInMujoco) {
   const std::string body = R"(<body><freejoint/><geom size=".1"/></body>)";
   for (const char* integrator : {"Euler", "implicit", "RK4"}) {
-    const Model m = Load(World(
-        body, "<option timestep=\"0.003\" integrator=\"" + std::string(integrator) + "\"/>"));
+    const Model m = Load(
+        World(body, "<option timestep=\"0.003\" integrator=\"" + std::string(integrator) + "\"/>"));
     const Data d = MakeData(m);
     Counter counts;
     counter = &counts;

@@ -146,7 +146,8 @@ TEST(WheelFinder, DoesNotTakeArmsDoorsTurretsOrBalls) {
       <body name="bone"><joint axis="0 1 0"/><geom type="ellipsoid" size=".4 .1 .2"/></body>
       <body name="slider"><joint type="slide" axis="0 1 0"/>
         <geom type="cylinder" zaxis="0 1 0" size=".4 .1"/></body>
-      <body name="ball"><joint type="ball"/><geom type="sphere" size=".1"/></body>)"), {}),
+      <body name="ball"><joint type="ball"/><geom type="sphere" size=".1"/></body>)"),
+                      {}),
               HasSubstr("no wheels found: the model must have a body with a cylinder"))
       << "crank: 0.03 m is 7.5 % of the radius";
 }
@@ -160,9 +161,10 @@ TEST(WheelFinder, TakesOnlyNamedBodies) {
 }
 
 TEST(WheelFinder, TakesAMeshIfItIsNamed) {
-  const Model m = Load(World(Car(R"(<body name="w"><joint axis="0 1 0"/>
+  const Model m =
+      Load(World(Car(R"(<body name="w"><joint axis="0 1 0"/>
       <geom type="mesh" mesh="tetra"/></body>)"),
-                             R"(<asset><mesh name="tetra" vertex="0 0 0 1 0 0 0 1 0 0 0 1"/></asset>)"));
+                 R"(<asset><mesh name="tetra" vertex="0 0 0 1 0 0 0 1 0 0 0 1"/></asset>)"));
   EXPECT_THROW(FindWheels(m.get(), {}), InputError);
   const auto wheels = FindWheels(m.get(), {"w"});
   ASSERT_EQ(wheels.size(), 1u);

@@ -25,12 +25,13 @@ from mpl_toolkits.axes_grid1 import make_axes_locatable
 SOIL_COLOURS = LinearSegmentedColormap.from_list(
     "soil", ["#f3ebdc", "#e6c793", "#cf924f", "#a9592f", "#7b3022"])
 TRACK_COLOURS = ["#ffffff", "#6fd0ff", "#ffe04d", "#ff9ad5"]  # light: a track lies in a dark rut
-OUTLINE = [Stroke(linewidth=2.2, foreground="#00000099"), Normal()]
 SUN = np.array([-0.5, 0.5, 1.0]) / np.sqrt(1.5)  # towards it: from the upper left
 STEPS = [1, 2, 5, 10]  # between the numbers on a scale
 MARGIN = 1.0  # [m] of undisturbed ground around ruts and tracks
 MAX_NAMED_WHEELS = 8
 MOVED = 0.0005  # [m] least change of height that counts as a rut
+TRACK_WIDTH = 0.04  # [m]  narrower than a rut
+THICKEST, THINNEST = 1.0, 0.4  # [pt]
 LONG_SIDE = 10.0  # [in] of the map
 SHORT_SIDE = 3.0  # [in] at least
 
@@ -87,11 +88,14 @@ def draw_ground(axes, sinkage, cells, spacing):
     return matplotlib.cm.ScalarMappable(norm, SOIL_COLOURS)
 
 
-def draw_tracks(axes, tracks):
+def draw_tracks(axes, tracks, cells):
+    points = 72 * LONG_SIDE / longest_side(cells)  # per metre
+    width = min(max(points * TRACK_WIDTH, THINNEST), THICKEST)
+    outline = [Stroke(linewidth=2.2 * width, foreground="#00000099"), Normal()]
     for number, (name, track) in enumerate(tracks.items()):
         colour = TRACK_COLOURS[number % len(TRACK_COLOURS)]
-        axes.plot(track[:, 0], track[:, 1], color=colour, linewidth=1.0, label=name,
-                  path_effects=OUTLINE)
+        axes.plot(track[:, 0], track[:, 1], color=colour, linewidth=width, label=name,
+                  path_effects=outline)
         axes.plot(*track[-1], marker="o", markersize=5, color=colour, markeredgecolor="black",
                   markeredgewidth=0.8)
     if 0 < len(tracks) <= MAX_NAMED_WHEELS:
@@ -101,20 +105,22 @@ def draw_tracks(axes, tracks):
                     handlelength=1.6)
 
 
+def longest_side(cells):
+    return max(cells[1] - cells[0], cells[3] - cells[2])
+
+
 def figure_for(cells):
     """A figure for a map with equal axes."""
-    width, height = cells[1] - cells[0], cells[3] - cells[2]
-    inches = LONG_SIDE / max(width, height)  # per metre
-    return plt.subplots(figsize=(max(width * inches, SHORT_SIDE) + 2,
-                                 max(height * inches, SHORT_SIDE) + 1))
+    inches = LONG_SIDE / longest_side(cells)  # per metre
+    width, height = (cells[1] - cells[0]) * inches, (cells[3] - cells[2]) * inches
+    return plt.subplots(figsize=(max(width, SHORT_SIDE) + 2, max(height, SHORT_SIDE) + 1))
 
 
 def label(axes, colours, cells, title):
     beside = make_axes_locatable(axes).append_axes("right", size=0.18, pad=0.12)
     bar = axes.figure.colorbar(colours, cax=beside, ticks=MaxNLocator(6, steps=STEPS))
     bar.set_label("sinkage below the undisturbed ground [cm]")
-    longest = max(cells[1] - cells[0], cells[3] - cells[2])
-    ticks = MaxNLocator(8, steps=STEPS).tick_values(0, longest)
+    ticks = MaxNLocator(8, steps=STEPS).tick_values(0, longest_side(cells))
     for axis in (axes.xaxis, axes.yaxis):
         axis.set_major_locator(MultipleLocator(ticks[1] - ticks[0]))
     axes.grid(color="black", alpha=0.08, linewidth=0.6)
@@ -131,7 +137,7 @@ def draw(folder):
 
     figure, axes = figure_for(cells)
     colours = draw_ground(axes, sinkage, cells, spacing)
-    draw_tracks(axes, tracks)
+    draw_tracks(axes, tracks, cells)
     scene = pathlib.Path(summary["scene"]).stem
     label(axes, colours, cells,
           f"{scene} on {summary['soil']} after {summary['simulated_time']:.4g} s")

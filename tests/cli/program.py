@@ -1,0 +1,41 @@
+"""The program softsoil, as the tests of this folder call it. Expects it first in PATH."""
+import json
+import os
+import pathlib
+import subprocess
+import tempfile
+import unittest
+
+FAILED, BAD_INPUT, NO_SUCH_PROGRAM = 1, 2, 127
+RESULTS = ["summary.json", "terrain.npy", "terrain.png", "wheels.csv"]
+
+
+def softsoil(*arguments, environment=None, stdout=subprocess.PIPE):
+    return subprocess.run(["softsoil", *map(str, arguments)], stdin=subprocess.DEVNULL,
+                          stdout=stdout, stderr=subprocess.PIPE, text=True, timeout=300,
+                          env={**os.environ, **(environment or {})})
+
+
+def run(folder, *more, seconds=0.2, scene="hmmwv_flat"):
+    return softsoil("run", scene, "--time", seconds, "--out", folder, *more)
+
+
+def summary_of(folder):
+    return json.loads((folder / "summary.json").read_text())
+
+
+class InAFolder(unittest.TestCase):
+    def setUp(self):
+        holder = tempfile.TemporaryDirectory()
+        self.addCleanup(holder.cleanup)
+        self.folder = pathlib.Path(holder.name)
+
+    def write(self, name, text):
+        path = self.folder / name
+        path.write_text(text)
+        return path
+
+    def assertFails(self, done, code, *sentences):
+        self.assertEqual(done.returncode, code, done.stderr)
+        for sentence in sentences:
+            self.assertIn(sentence, done.stderr)
