@@ -20,11 +20,12 @@ PressedState Equilibrium(const TireSpring& spring, double k_e, double n,
   for (int i = 0; i < 60 && high - low > 1e-12; ++i) {
     const double d = point.penetration - point.release * u;
     const double z = point.depth + point.deepening * u;
-    const double excess = SpringPressure(spring, d) - BearingPressure(k_e, n, z);
+    const double bearing = BearingPressure(k_e, n, z);
+    const double excess = SpringPressure(spring, d) - bearing;
     if (std::abs(excess) <= 1e-9 * elastic) break;
     (excess > 0 ? low : high) = u;
-    const double slope = -SpringSlope(spring, d) * point.release -
-                         BearingSlope(k_e, n, z) * point.deepening;
+    const double bearing_slope = n * bearing / z;  // BearingSlope() without a second power
+    const double slope = -SpringSlope(spring, d) * point.release - bearing_slope * point.deepening;
     const double newton = u - excess / slope;
     u = newton > low && newton < high ? newton : (low + high) / 2;
   }

@@ -52,12 +52,6 @@ double ClosingSpeed(const TirePose& pose, const SurfacePoint& ground) {
          pose.velocity_w.z();
 }
 
-// The damped pressure [Pa]. Neither does soil pull nor does it bear more than its capacity.
-double DampedPressure(const PressedState& state, double capacity, double damping, double closing) {
-  const double most = state.yields ? state.pressure : capacity;
-  return std::clamp(state.pressure + damping * closing, 0.0, most);
-}
-
 }  // namespace
 
 Wrench About(const Wrench& wrench, const Vector3d& at_w) {
@@ -112,8 +106,10 @@ bool WheelContact::Touch(int i, const TirePose& pose, const SurfacePatch& patch,
   const PressedState state = Equilibrium(tire_.spring, k_e, n, point);
 
   contact->node = i;
-  contact->pressure = DampedPressure(state, BearingPressure(k_e, n, point.depth), tire_.damping,
-                                     ClosingSpeed(pose, ground));
+  // Damped. Neither does soil pull nor does it bear more than its capacity.
+  const double most = state.yields ? state.pressure : BearingPressure(k_e, n, state.depth);
+  contact->pressure =
+      std::clamp(state.pressure + tire_.damping * ClosingSpeed(pose, ground), 0.0, most);
   contact->area = LoadedArea(nodes_.area[i], nodes_.radius[i], state.penetration);
   contact->depth = state.depth;
   contact->point_w = node_w - state.penetration * radial_w;

@@ -47,9 +47,12 @@ WheelReport ReportOf(const Tire& tire, const TirePose& pose, const PatchForces& 
   report.spin = pose.angular_velocity_w.dot(axis);
 
   const double forward = pose.velocity_w.dot(axes.forward), left = pose.velocity_w.dot(axes.left);
-  const double speed = std::abs(forward) >= kSlowest ? forward : std::copysign(kSlowest, forward);
+  const double rolling = tire.shape.radius * report.spin;
+  // On the spot the wheel shows which way it goes: creeping back, it is driven all the same.
+  const double speed =
+      std::abs(forward) >= kSlowest ? forward : std::copysign(kSlowest, forward + rolling);
   report.forward_speed = forward;
-  report.slip_ratio = (tire.shape.radius * report.spin - forward) / speed;
+  report.slip_ratio = (rolling - forward) / speed;
   report.slip_angle = std::atan2(left, std::abs(forward));
 
   for (const NodeContact& c : forces.contacts) {

@@ -3,11 +3,11 @@
 #include <atomic>
 #include <cstdio>
 #include <cstdlib>
-#include <cstring>
 #include <mutex>
+#include <string>
+#include <utility>
 
 #include "plugin/log.h"
-#include "plugin/model_geometry.h"
 #include "plugin/mujoco_symbols.h"
 #include "plugin/rigid_contact.h"
 #include "terrain/input_error.h"

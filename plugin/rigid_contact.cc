@@ -58,6 +58,7 @@ std::string ConaffinityOfOthers(const mjModel* m, int ground, int bit,
     if (std::find(values.begin(), values.end(), value) == values.end()) values.push_back(value);
   }
   std::vector<std::string> parts;
+  parts.reserve(values.size());
   for (const int value : values) {
     parts.push_back("conaffinity=" + InQuotes(value | bit) + " where it is " + InQuotes(value));
   }
@@ -66,7 +67,7 @@ std::string ConaffinityOfOthers(const mjModel* m, int ground, int bit,
 }
 
 std::string Remedy(const mjModel* m, int ground, const std::vector<bool>& is_wheels) {
-  const std::string by_filter =
+  std::string by_filter =
       "Write <text name=\"softsoil_rigid_contact\" data=\"remove\"/> into <custom>";
   const int bit = FreeBit(m);
   if (bit == 0) return by_filter;

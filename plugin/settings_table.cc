@@ -1,4 +1,4 @@
-#include <thread>
+#include <utility>
 
 #include "plugin/settings.h"
 #include "plugin/words.h"

@@ -42,6 +42,11 @@ TirePose PoseOf(const mjModel* m, const mjData* d, const Wheel& wheel,
   return pose;
 }
 
+// What results tell before the first evaluation.
+TirePose AtRest() {
+  return {Vector3d::Zero(), Matrix3d::Identity(), Vector3d::Zero(), Vector3d::Zero()};
+}
+
 WrenchRow RowOf(const Wrench& wrench) {
   const Vector3d &f = wrench.force_w, &t = wrench.torque_w;
   return {f.x(), f.y(), f.z(), t.x(), t.y(), t.z()};
@@ -57,7 +62,7 @@ SoilBinding::SoilBinding(SoilPlan plan)
     : plan_(std::move(plan)), soft_wheels_(MakeSoftWheels(plan_)), shares_(plan_.wheels.size()) {
   for (const Wheel& wheel : plan_.wheels) tire_frame_b_.push_back(TireFrame(wheel.axis_b));
   for (Evaluation* evaluation : {&now_, &pending_}) {
-    evaluation->poses.resize(plan_.wheels.size());
+    evaluation->poses.assign(plan_.wheels.size(), AtRest());
     evaluation->forces.resize(plan_.wheels.size());
   }
 }
@@ -69,6 +74,7 @@ void SoilBinding::OnPassive(const mjModel* m, mjData* d) {
     Evaluate(m, d);
   } catch (const std::runtime_error& error) {
     is_pending_ = false;
+    latest_ = &pending_;
     RemoveForces(d);
     Say(std::string(error.what()) + "; no soil forces while that lasts");
     return;

@@ -62,7 +62,7 @@ class SoilBinding {
   Evaluation now_, pending_;
   bool is_pending_ = false;
   bool warned_of_depth_ = false;
-  const Evaluation* latest_ = &now_;
+  const Evaluation* latest_ = &pending_;
 };
 
 }  // namespace softsoil

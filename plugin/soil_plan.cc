@@ -1,5 +1,10 @@
 #include "plugin/soil_plan.h"
 
+#include <algorithm>
+#include <cstdio>
+#include <limits>
+#include <string>
+
 #include "plugin/log.h"
 #include "plugin/models_folder.h"
 #include "plugin/rigid_contact.h"
@@ -32,26 +37,39 @@ void WarnOfRigidContact(const mjModel* m, const SoilPlan& plan) {
   if (!warning.empty()) Say("warning: " + warning);
 }
 
+// Two digits: an estimate claims no more.
+std::string Roughly(double value) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.2g", value);
+  return text;
+}
+
+// The estimate is good to a factor of two.
 void WarnOfTimeStep(const mjModel* m, const SoilPlan& plan) {
+  double longest = std::numeric_limits<double>::infinity();
+  std::string wheel;
   for (std::size_t i = 0; i < plan.wheels.size(); ++i) {
     const double load = StaticLoad(m, plan.wheels, plan.wheels[i]);
-    const double longest = LongestStep(m, plan.wheels[i], plan.tires[i], plan.soil, load);
-    if (m->opt.timestep <= longest / 2) continue;
-    Say("warning: wheel \"" + plan.wheels[i].name + "\": the time step " + Shown(m->opt.timestep) +
-        " s is more than half of about " + Shown(longest) +
-        " s, the longest that its tire and mass allow; make it shorter");
+    const double allowed = LongestStep(m, plan.wheels[i], plan.tires[i], plan.soil, load);
+    if (allowed >= longest) continue;
+    longest = allowed;
+    wheel = plan.wheels[i].name;
   }
+  if (m->opt.timestep <= longest / 2) return;
+  Say("warning: the time step " + Shown(m->opt.timestep) + " s is more than half of about " +
+      Roughly(longest) + " s, the longest that tire and mass of wheel \"" + wheel +
+      "\" allow; make it shorter");
 }
 
 // The grid must resolve the contact patch, whose length is some tenths of the radius.
 void WarnOfGrid(const SoilPlan& plan) {
-  for (std::size_t i = 0; i < plan.wheels.size(); ++i) {
-    const double radius = plan.tires[i].shape.radius;
-    if (plan.terrain.grid_spacing <= radius / 4) continue;
-    Say("warning: wheel \"" + plan.wheels[i].name + "\": softsoil_grid_spacing is " +
-        Shown(plan.terrain.grid_spacing) + " m, more than a quarter of the radius, " +
-        Shown(radius) + " m; make it finer");
-  }
+  const auto smaller = [](const Tire& a, const Tire& b) { return a.shape.radius < b.shape.radius; };
+  const auto smallest = std::min_element(plan.tires.begin(), plan.tires.end(), smaller);
+  const double radius = smallest->shape.radius;
+  if (plan.terrain.grid_spacing <= radius / 4) return;
+  Say("warning: softsoil_grid_spacing is " + Shown(plan.terrain.grid_spacing) +
+      " m, more than a quarter of the smallest wheel radius, " + Shown(radius) +
+      " m; make it finer");
 }
 
 }  // namespace

@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <set>
 
 #include "contact/flat_plate.h"
 #include "plugin/log.h"
 #include "plugin/models_folder.h"
+#include "plugin/words.h"
 #include "terrain/input_error.h"
 
 namespace softsoil {
@@ -53,14 +55,17 @@ Catalogue<Tire> AllTires(const Settings& settings) {
 }
 
 void RequireBodiesAreWheels(const TireNames& names, const std::vector<Wheel>& wheels) {
-  for (const auto& [body, tire] : names.of_body) {
-    const bool known = std::any_of(wheels.begin(), wheels.end(),
-                                   [&](const Wheel& wheel) { return wheel.name == body; });
-    if (known) continue;
-    std::string all;
-    for (const Wheel& wheel : wheels) all += (all.empty() ? "" : ", ") + wheel.name;
-    throw InputError("softsoil_tire: \"" + body + "\" is no wheel; wheels are: " + all);
+  std::set<std::string> unknown;
+  for (const auto& entry : names.of_body) unknown.insert(entry.first);
+  std::vector<std::string> known;
+  known.reserve(wheels.size());
+  for (const Wheel& wheel : wheels) {
+    unknown.erase(wheel.name);
+    known.push_back(wheel.name);
   }
+  if (unknown.empty()) return;
+  throw InputError("softsoil_tire: \"" + *unknown.begin() +
+                   "\" is no wheel; wheels are: " + Listed(known));
 }
 
 Tire MakeAutoTire(const mjModel* m, const std::vector<Wheel>& wheels, const Wheel& wheel) {
@@ -68,7 +73,7 @@ Tire MakeAutoTire(const mjModel* m, const std::vector<Wheel>& wheels, const Whee
     throw InputError("softsoil_tire: wheel \"" + wheel.name +
                      "\" has no round geom, so its tire must be named");
   }
-  const Tire tire = AutoTire(wheel, StaticLoad(m, wheels, wheel));
+  Tire tire = AutoTire(wheel, StaticLoad(m, wheels, wheel));
   Say("wheel \"" + wheel.name + "\" has no tire named: it gets a stiff one of its geom's size, " +
       "radius " + Shown(tire.shape.radius) + " m, width " + Shown(tire.shape.width) + " m");
   return tire;

@@ -25,10 +25,6 @@ struct Spin {
   Vector3d anchor_b, axis_b;  // frame of the wheel body
 };
 
-// Hinges of the body, or of the body it is welded to, that may be spin axes; last one first, as
-// it turns innermost. The axis points to the left.
-std::vector<Spin> SpinsOf(const mjModel* m, int body);
-
 // A round geom on a spin axis.
 struct Candidate {
   Wheel wheel;
@@ -77,6 +73,8 @@ Vector3d TowardsLeft(const Vector3d& axis_w, const mjModel* m, int body) {
   return agreement < 0 ? Vector3d(-axis_w) : axis_w;
 }
 
+// Hinges of the body, or of the body it is welded to, that may be spin axes; last one first, as
+// it turns innermost. The axis points to the left.
 std::vector<Spin> SpinsOf(const mjModel* m, int body) {
   const int turning = m->body_weldid[body];
   const Frame wheel = PoseAtStart(m, body, turning);
@@ -160,6 +158,7 @@ std::vector<Wheel> ChooseWheels(std::vector<Candidate> candidates) {
     if (!is_doubled) chosen.push_back(candidate);
   }
   std::vector<Wheel> wheels;
+  wheels.reserve(chosen.size());
   for (const Candidate& candidate : chosen) wheels.push_back(candidate.wheel);
   return wheels;
 }

@@ -17,7 +17,8 @@ struct Columns::Tile {
   std::vector<float> preconsolidation_density, preconsolidation_stress, peak_density;
 
   SoilVolume Load(std::size_t k) const {
-    return {density[k], preconsolidation_density[k], preconsolidation_stress[k], peak_density[k]};
+    return {density[k], preconsolidation_density[k], preconsolidation_stress[k], peak_density[k],
+            preconsolidation_density[k]};
   }
   void Store(std::size_t k, const SoilVolume& volume) {
     density[k] = volume.density;

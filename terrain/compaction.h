@@ -25,12 +25,15 @@ struct SoilVolume {
   double preconsolidation_density;   // [kg/m^3]  rho_0
   double preconsolidation_stress;    // [Pa]      sigma_0
   double peak_density;               // [kg/m^3]  highest of this load cycle, 0 before it compacts
+  double cycle_start_density;        // [kg/m^3]  is rho_0, but for the first cycle of Table 3.2
 };
 
-// The point of the virgin curve to which a load cycle hardens a volume.
-//   kVirginCurve  the point above its new density, sigma_0 10^((rho - rho_0)/C).
-//   kThesisTable  sigma_0 10^(rho - rho_0) with rho in g/cm^3: the division by C was left out in
-//                 the program behind Table 3.2. Kept for comparison with that table alone.
+// How a load cycle hardens a volume, and from which stress it springs back.
+//   kVirginCurve  to the point above its new density, sigma_0 10^((rho - rho_0)/C); it springs back
+//                 below the preconsolidation stress.
+//   kThesisTable  to sigma_0 10^(rho - rho_0) with rho in g/cm^3, for the division by C was left
+//                 out in the program behind Table 3.2; it springs back as soon as it no longer
+//                 compacts (line 8). Kept for comparison with that table alone.
 enum class Hardening { kVirginCurve, kThesisTable };
 
 // Stress [Pa] at which a volume of the given density [kg/m^3] lies on the virgin curve (3.5).
@@ -43,7 +46,8 @@ SOFTSOIL_HD inline double VirginStress(const Compaction& soil, double density) {
 // Undisturbed volume: on the virgin curve, so a looser soil yields earlier. The moisture shift
 // moves the curve once; the thesis adds it anew in every load cycle (algorithm 3.2.3, line 1).
 SOFTSOIL_HD inline SoilVolume UndisturbedVolume(const Compaction& soil) {
-  return {soil.initial_density, soil.initial_density, VirginStress(soil, soil.initial_density), 0};
+  const double density = soil.initial_density;
+  return {density, density, VirginStress(soil, density), 0, density};
 }
 
 SOFTSOIL_HD inline bool CycleIsOpen(const SoilVolume& volume) { return volume.peak_density > 0; }
@@ -58,7 +62,7 @@ SOFTSOIL_HD inline double TargetDensity(const Compaction& soil, const SoilVolume
 // Density [kg/m^3] to which the volume springs back: half the gain of the cycle, R at most.
 // Algorithm 3.2.3 lines 11 to 15.
 SOFTSOIL_HD inline double ReboundDensity(const Compaction& soil, const SoilVolume& volume) {
-  const double half_gain = (volume.peak_density - volume.preconsolidation_density) / 2;
+  const double half_gain = (volume.peak_density - volume.cycle_start_density) / 2;
   return volume.peak_density - (half_gain < soil.rebound_index ? half_gain : soil.rebound_index);
 }
 
@@ -68,6 +72,7 @@ SOFTSOIL_HD inline void EndCycle(const Compaction& soil, Hardening hardening, So
   const double decades = hardening == Hardening::kVirginCurve ? gain / soil.index : gain / 1000;
   volume.preconsolidation_stress *= std::pow(10.0, decades);
   volume.preconsolidation_density = volume.density;
+  volume.cycle_start_density = volume.density;
   volume.peak_density = 0;
 }
 
@@ -84,7 +89,8 @@ SOFTSOIL_HD inline void Advance(const Compaction& soil, double stress, double h,
   if (target > volume.density) {
     volume.density += (target - volume.density) * -std::expm1(-h / soil.compression_time);
     if (volume.density > volume.peak_density) volume.peak_density = volume.density;
-  } else if (CycleIsOpen(volume) && stress < volume.preconsolidation_stress) {
+  } else if (CycleIsOpen(volume) &&
+             (stress < volume.preconsolidation_stress || hardening == Hardening::kThesisTable)) {
     const double spring_back = volume.density - ReboundDensity(soil, volume);
     if (spring_back > 0) volume.density -= spring_back * -std::expm1(-h / soil.rebound_time);
     if (stress <= 0) EndCycle(soil, hardening, volume);

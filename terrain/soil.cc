@@ -1,5 +1,7 @@
 #include "terrain/soil.h"
 
+#include <cmath>
+
 #include "terrain/point_load.h"
 
 namespace softsoil {
@@ -52,8 +54,21 @@ double MoistureShift(XmlEntry& entry) {
   if (!entry.Has("moisture")) return 0.0;
   const double slope = entry.Number("moisture", "slope", "kg/m^3", Range::kAny);
   const double actual = entry.Number("moisture", "saturation", "", Range::kNotNegative);
-  const double reference = entry.Number("moisture", "reference_saturation", "", Range::kNotNegative);
+  const double reference =
+      entry.Number("moisture", "reference_saturation", "", Range::kNotNegative);
   return slope * (actual - reference);
+}
+
+// The stress [Pa] of a centimetre of soil. None is looser than its own weight makes it; and loads
+// would compact it as far as the eye sees.
+constexpr double kLeastYieldStress = 100;
+
+void RefuseTooLoose(const XmlEntry& entry, const Compaction& soil) {
+  if (VirginStress(soil, soil.initial_density) >= kLeastYieldStress) return;
+  const double least = soil.reference_density + soil.moisture_shift +
+                       soil.index * std::log10(kLeastYieldStress / soil.reference_stress);
+  entry.Refuse("initial_density must be >= " + Shown(least) +
+               " kg/m^3, where the virgin curve has 100 Pa, got " + Shown(soil.initial_density));
 }
 
 Soil ReadSoil(XmlEntry& entry) {
@@ -62,6 +77,7 @@ Soil ReadSoil(XmlEntry& entry) {
   soil.description = entry.description();
   entry.Fill(SoilAttributes(), soil);
   soil.compaction.moisture_shift = MoistureShift(entry);
+  RefuseTooLoose(entry, soil.compaction);
   return soil;
 }
 

@@ -20,6 +20,26 @@ bool ParseNumber(const char* text, double* value) {
   return error == std::errc() && stop == end && std::isfinite(*value);
 }
 
+// What is wrong with a file that tinyxml2 cannot load.
+std::string InWords(tinyxml2::XMLError error) {
+  switch (error) {
+    case tinyxml2::XML_ERROR_FILE_NOT_FOUND: return "there is no such file";
+    case tinyxml2::XML_ERROR_FILE_COULD_NOT_BE_OPENED: return "cannot be opened";
+    case tinyxml2::XML_ERROR_FILE_READ_ERROR: return "cannot be read; is it a folder?";
+    case tinyxml2::XML_ERROR_EMPTY_DOCUMENT: return "holds no element";
+    case tinyxml2::XML_ERROR_MISMATCHED_ELEMENT: return "this element is not closed";
+    case tinyxml2::XML_ERROR_PARSING_ATTRIBUTE:
+      return "an attribute of this element is malformed or stands here twice";
+    default: return "is not well-formed XML";
+  }
+}
+
+bool HoldsText(const tinyxml2::XMLElement& element) {
+  const auto* node = element.FirstChild();
+  while (node != nullptr && node->ToText() == nullptr) node = node->NextSibling();
+  return node != nullptr;
+}
+
 std::string Listed(const std::vector<std::string>& words) {
   std::string list;
   for (const std::string& word : words) list += (list.empty() ? "" : ", ") + word;
@@ -119,6 +139,7 @@ std::string XmlEntry::Text(const char* element, const char* name,
 }
 
 void XmlEntry::RefuseUnread() const {
+  if (HoldsText(element_)) Refuse("must hold elements alone, no text");
   for (const auto* a = element_.FirstAttribute(); a != nullptr; a = a->Next()) {
     if (std::strcmp(a->Name(), "name") != 0 && std::strcmp(a->Name(), "description") != 0) {
       Refuse(std::string("unknown attribute ") + a->Name());
@@ -128,6 +149,9 @@ void XmlEntry::RefuseUnread() const {
        child = child->NextSiblingElement()) {
     const std::string element = child->Name();
     if (read_.count(element) == 0) Refuse("unknown element <" + element + ">");
+    if (child->FirstChildElement() != nullptr || HoldsText(*child)) {
+      Refuse(*child, "must hold attributes alone");
+    }
     const char* source = child->Attribute(kSource);
     if (source == nullptr || *source == '\0') {
       Refuse(*child, "attribute source is missing: say where the numbers come from");
@@ -144,16 +168,22 @@ void ForEachEntry(const std::string& file, const std::string& kind,
                   const std::function<void(XmlEntry&)>& read) {
   tinyxml2::XMLDocument document;
   if (document.LoadFile(file.c_str()) != tinyxml2::XML_SUCCESS) {
-    throw InputError(file + ":" + std::to_string(document.ErrorLineNum()) + ": " +
-                     document.ErrorStr());
+    const int line = document.ErrorLineNum();
+    throw InputError(file + (line > 0 ? ":" + std::to_string(line) : "") + ": " +
+                     InWords(document.ErrorID()));
   }
   const auto refuse = [&file](const tinyxml2::XMLElement& at, const std::string& wanted) {
     throw InputError(file + ":" + std::to_string(at.GetLineNum()) + ": expected " + wanted +
                      ", got <" + at.Name() + ">");
   };
   const tinyxml2::XMLElement* root = document.RootElement();
-  if (root == nullptr) throw InputError(file + ":1: holds no element");
+  if (root == nullptr) throw InputError(file + ": holds no element");
   if (root->Name() != kind + "s") refuse(*root, "the root <" + kind + "s>");
+  if (root->NextSiblingElement() != nullptr) refuse(*root->NextSiblingElement(), "one root alone");
+  if (root->FirstAttribute() != nullptr || HoldsText(*root)) {
+    throw InputError(file + ":" + std::to_string(root->GetLineNum()) + ": <" + root->Name() +
+                     "> must hold <" + kind + "> alone");
+  }
   for (const auto* e = root->FirstChildElement(); e != nullptr; e = e->NextSiblingElement()) {
     if (e->Name() != kind) refuse(*e, "<" + kind + ">");
     XmlEntry entry(file, *e);

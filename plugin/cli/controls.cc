@@ -84,8 +84,8 @@ std::vector<int> ReadHeader(const Lines& lines, const std::vector<std::string>& 
       lines.Refuse("column \"" + cells[c] + "\" stands here a second time");
     }
     if (it == actuators.end() || cells[c].empty()) {
-      lines.Refuse("unknown column \"" + cells[c] + "\"; the actuators of the model are: " +
-                   Names(actuators));
+      lines.Refuse("unknown column \"" + cells[c] +
+                   "\"; the actuators of the model are: " + Names(actuators));
     }
     columns.push_back(static_cast<int>(it - actuators.begin()));
   }
@@ -106,8 +106,8 @@ double ReadNumber(const Lines& lines, const std::string& name, const std::string
 double ReadControl(const Lines& lines, const Actuator& actuator, const std::string& cell) {
   const double value = ReadNumber(lines, actuator.name, cell);
   if (value < actuator.low || value > actuator.high) {
-    lines.Refuse(actuator.name + " must be " + Shown(actuator.low) + " to " +
-                 Shown(actuator.high) + ", got " + cell);
+    lines.Refuse(actuator.name + " must be " + Shown(actuator.low) + " to " + Shown(actuator.high) +
+                 ", got " + cell);
   }
   return value;
 }

@@ -22,6 +22,7 @@ enum class Messages { kShown, kHidden };
 // killed.
 int Execute(std::vector<std::string> words, Messages messages) {
   std::vector<char*> arguments;
+  arguments.reserve(words.size() + 1);
   for (std::string& word : words) arguments.push_back(word.data());
   arguments.push_back(nullptr);
 
@@ -49,8 +50,9 @@ std::string PythonThatPlots() {
   for (const char* python : {SOFTSOIL_PYTHON, "/usr/bin/python3", "python3"}) {
     if (Execute({python, "-c", "import matplotlib, numpy"}, Messages::kHidden) == 0) return python;
   }
-  throw InputError("the picture needs python3 with matplotlib and numpy (Debian: "
-                   "python3-matplotlib), and none was found; --no-picture runs without");
+  throw InputError(
+      "the picture needs python3 with matplotlib and numpy (Debian: "
+      "python3-matplotlib), and none was found; --no-picture runs without");
 }
 
 void DrawTerrain(const std::string& python, const std::string& folder) {

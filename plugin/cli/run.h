@@ -10,12 +10,12 @@
 namespace softsoil {
 
 struct RunOptions {
-  std::string scene;         // path or name
-  double time = 0;           // [s]  simulated, > 0
-  std::string folder;        // of the results
-  std::string controls;      // CSV file, or empty
-  double interval = 0.05;    // [s]  simulated time between rows of wheels.csv, > 0
-  std::string settings;      // for softsoil_attach()
+  std::string scene;       // path or name
+  double time = 0;         // [s]  simulated, > 0
+  std::string folder;      // of the results
+  std::string controls;    // CSV file, or empty
+  double interval = 0.05;  // [s]  simulated time between rows of wheels.csv, > 0
+  std::string settings;    // for softsoil_attach()
   bool picture = true;
 };
 
@@ -30,7 +30,7 @@ struct RunResult {
   double averaged_over = 0;   // [s]  last part of the run that WheelResult stands for
   std::vector<WheelResult> wheels;
   softsoilGround ground = {};
-  double time_step = 0;       // [s]
+  double time_step = 0;  // [s]
 };
 
 // Writes wheels.csv, terrain.npy, summary.json and terrain.png. Refuses bad input with InputError

@@ -36,8 +36,9 @@ struct Line {
 
 // An option whose value becomes the setting `key`. Its text is passed on as it is: the library
 // says what is wrong with a value.
-CLI::Option* AddSetting(CLI::App& command, std::shared_ptr<Line> line, const std::string& option,
-                        const std::string& key, const std::string& help) {
+CLI::Option* AddSetting(CLI::App& command, const std::shared_ptr<Line>& line,
+                        const std::string& option, const std::string& key,
+                        const std::string& help) {
   const auto pass = [line, key](const std::string& value) { line->Add({key + "=" + value}); };
   return command.add_option_function<std::string>(option, pass, help);
 }
@@ -54,8 +55,9 @@ void AddRunCommand(CLI::App& program) {
   command->add_option("--controls", options.controls,
                       "CSV file: a column time [s], and one for each actuator to be driven, linear "
                       "between rows");
-  command->add_option("--interval", options.interval,
-                      "Simulated time between rows of wheels.csv [s]")->capture_default_str();
+  command
+      ->add_option("--interval", options.interval, "Simulated time between rows of wheels.csv [s]")
+      ->capture_default_str();
   command->add_flag("--no-picture", line->no_picture,
                     "Do not draw terrain.png, which needs python3 with matplotlib");
   AddSetting(*command, line, "--threads", "threads", "Threads of the soil update");

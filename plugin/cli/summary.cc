@@ -59,8 +59,7 @@ void PrintWheel(const WheelResult& wheel) {
   };
   std::printf("%-16s %9.2f %12.1f %14.1f %8.1f %17.2f %13.2f\n", wheel.name.c_str(),
               value("load", 1e3, 2), value("sinkage", 1e-2, 1), value("rut_depth", 1e-2, 1),
-              value("slip_ratio", 1e-2, 1), value("drawbar_pull", 1e3, 2),
-              value("torque", 1e3, 2));
+              value("slip_ratio", 1e-2, 1), value("drawbar_pull", 1e3, 2), value("torque", 1e3, 2));
 }
 
 }  // namespace

@@ -39,6 +39,7 @@ void Start(WithOptions& options) {
   PreloadSoil();
   if (!options.on_error.empty()) setenv("SOFTSOIL_ON_ERROR", options.on_error.c_str(), 1);
   std::vector<char*> arguments;
+  arguments.reserve(options.program.size() + 1);
   for (std::string& word : options.program) arguments.push_back(word.data());
   arguments.push_back(nullptr);
   execvp(arguments[0], arguments.data());

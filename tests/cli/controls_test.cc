@@ -16,9 +16,7 @@ const std::vector<Actuator> kTruck = {
     {"steer", -0.5, 0.5}, {"drive", -kInfinity, kInfinity}, {"brake", 0, 1}};
 
 // Tests run in parallel, each in a process of its own.
-std::string File() {
-  return testing::TempDir() + "controls_" + std::to_string(getpid()) + ".csv";
-}
+std::string File() { return testing::TempDir() + "controls_" + std::to_string(getpid()) + ".csv"; }
 
 Controls FromText(const std::string& text) {
   std::ofstream(File()) << text;
@@ -107,9 +105,9 @@ TEST(Controls, RefuseABadCell) {
 }
 
 TEST(Controls, RefuseAFileThatCannotBeRead) {
-  EXPECT_THAT([] { Controls("/nowhere/c.csv", kTruck); },
-              testing::ThrowsMessage<InputError>(
-                  "/nowhere/c.csv: cannot read: No such file or directory"));
+  EXPECT_THAT(
+      [] { Controls("/nowhere/c.csv", kTruck); },
+      testing::ThrowsMessage<InputError>("/nowhere/c.csv: cannot read: No such file or directory"));
   EXPECT_THAT([] { Controls("/", kTruck); },
               testing::ThrowsMessage<InputError>("/: is a folder, not a file"));
 }

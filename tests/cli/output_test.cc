@@ -65,9 +65,9 @@ TEST_F(Output, SaysThatTheDiskIsFull) {
 
 TEST_F(Output, SaysThatAFileCannotBeOpened) {
   const std::string path = folder_ + "/nowhere/a.txt";
-  EXPECT_THAT([&] { OutputFile file(path); },
-              ThrowsMessage<std::runtime_error>(path +
-                                                ".part: cannot open: No such file or directory"));
+  EXPECT_THAT(
+      [&] { OutputFile file(path); },
+      ThrowsMessage<std::runtime_error>(path + ".part: cannot open: No such file or directory"));
 }
 
 TEST_F(Output, FolderIsMadeWithItsParents) {
@@ -88,8 +88,8 @@ TEST_F(Output, NpyHasTheLayoutThatNumpyDocuments) {
   WriteNpy(path_, values, 3);
   const std::string text = Content(path_);
   EXPECT_EQ(text.substr(0, 8), std::string("\x93NUMPY\x01\x00", 8));
-  const std::size_t length = static_cast<std::uint8_t>(text[8]) +
-                             256 * static_cast<std::uint8_t>(text[9]);
+  const std::size_t length =
+      static_cast<std::uint8_t>(text[8]) + 256 * static_cast<std::uint8_t>(text[9]);
   EXPECT_EQ((10 + length) % 64, 0u);
   EXPECT_THAT(text.substr(10, length), HasSubstr("'shape': (2, 3)"));
   EXPECT_EQ(text[9 + length], '\n');

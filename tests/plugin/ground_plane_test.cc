@@ -30,7 +30,8 @@ TEST(GroundPlane, IsTheOnlyPlaneOfTheWorld) {
 
 TEST(GroundPlane, MayBeInclinedAndBelongToAFixedBody) {
   const Model m = Load(World(
-      R"(<body pos="1 2 3" euler="0 0 90"><geom type="plane" euler="0 -10 0" size="1 1 1"/></body>)"));
+      R"(<body pos="1 2 3" euler="0 0 90">
+           <geom type="plane" euler="0 -10 0" size="1 1 1"/></body>)"));
   const GroundPlane ground = FindGroundPlane(m.get(), "");
   const double slope = std::tan(10 * 3.14159265358979 / 180);
   EXPECT_NEAR(ground.height(1, 2), 3, 1e-9);

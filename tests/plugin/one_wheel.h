@@ -10,16 +10,17 @@ namespace softsoil {
 constexpr double kOneWheelWeight = 200 * 9.81;  // [N]
 
 struct OneWheel {
-  std::string option = "integrator=\"Euler\"";
-  std::string custom =
-      R"(<text name="softsoil_soil" data="tilled_yolo_loam"/> <numeric name="softsoil_sync" data="1"/>)";
+  std::string timestep = "0.001";
+  std::string option;  // attributes of it
+  std::string custom = R"(<text name="softsoil_soil" data="tilled_yolo_loam"/>
+                          <numeric name="softsoil_sync" data="1"/>)";
   std::string plane = R"(contype="2" conaffinity="0")";
   std::string wheel_geom = R"(type="cylinder" zaxis="0 1 0" size=".4 .1")";
   std::string others;  // beside worldbody
 
   std::string Mjcf() const {
-    return "<mujoco model=\"one_wheel\"><option timestep=\"0.001\" " + option + "/><custom>" +
-           custom + "</custom>" + others + R"(
+    return "<mujoco model=\"one_wheel\"><option timestep=\"" + timestep + "\" " + option +
+           "/><custom>" + custom + "</custom>" + others + R"(
       <worldbody>
         <geom name="field" type="plane" size="9 9 1" )" +
            plane + R"(/>

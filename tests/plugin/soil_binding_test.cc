@@ -1,52 +1,17 @@
-// Soft soil inside MuJoCo, from the outside: through the C API and mj_step.
+// Soft soil inside MuJoCo, seen from the outside.
 #include <gmock/gmock.h>
 
 #include <functional>
 #include <thread>
 #include <vector>
 
-#include "plugin/softsoil.h"
-#include "tests/plugin/one_wheel.h"
+#include "tests/plugin/simulation.h"
 
 namespace softsoil {
 namespace {
 
 using testing::HasSubstr;
-
-// A mjData on soil.
-struct Simulation {
-  Model m;
-  Data d;
-
-  explicit Simulation(const OneWheel& model, const char* settings = nullptr)
-      : m(Load(model.Mjcf())), d(MakeData(m)) {
-    EXPECT_EQ(softsoil_attach(m.get(), d.get(), settings), 0) << softsoil_error();
-  }
-  Simulation(Simulation&&) = default;
-  ~Simulation() {
-    if (d != nullptr) ExpectNoWarnings(d);
-  }
-
-  void Run(
-      double seconds, const std::function<void()>& before_step = [] {}) {
-    for (double end = d->time + seconds; d->time < end - 1e-9;) {
-      before_step();
-      mj_step(m.get(), d.get());
-    }
-  }
-  softsoilWheel Wheel() const {
-    softsoilWheel wheel = {};
-    EXPECT_EQ(softsoil_wheel(d.get(), 0, &wheel), 0) << softsoil_error();
-    return wheel;
-  }
-  double Height(double x = 0) const {
-    double height = 1;
-    EXPECT_EQ(softsoil_height(d.get(), x, 0, &height), 0) << softsoil_error();
-    return height;
-  }
-  int WheelBody() const { return mj_name2id(m.get(), mjOBJ_BODY, "wheel"); }
-  double* Row() const { return d->xfrc_applied + 6 * WheelBody(); }
-};
+using testing::Not;
 
 TEST(SoftSoil, CarriesTheWeightOfASettledWheel) {
   Simulation sim{OneWheel{}};
@@ -236,94 +201,32 @@ TEST(SoftSoil, IsGivenBackWithItsMjData) {
   EXPECT_EQ(softsoil_wheel_count(address), -1);
 }
 
-TEST(CApi, GivesNamesAndResults) {
-  OneWheel narrow;
-  narrow.wheel_geom = R"(type="cylinder" zaxis="0 1 0" size=".4 .02")";
-  Simulation sim(narrow);
-  sim.Run(1);
-  EXPECT_STREQ(softsoil_version(), SOFTSOIL_VERSION);
-  EXPECT_EQ(softsoil_wheel_count(sim.d.get()), 1);
-  const softsoilWheel wheel = sim.Wheel();
-  EXPECT_STREQ(wheel.name, "wheel");
-  EXPECT_EQ(wheel.body, sim.WheelBody());
-  EXPECT_GT(wheel.contact_area, 0);
-  EXPECT_GE(wheel.peak_pressure, wheel.mean_pressure);
-  EXPECT_NEAR(wheel.force[2], wheel.load, 1e-9);
-  EXPECT_NEAR(wheel.centre[2], sim.d->xpos[3 * wheel.body + 2], 1e-3);
-  EXPECT_GT(wheel.compaction_energy, 0);
-
-  softsoilGround ground;
-  ASSERT_EQ(softsoil_ground(sim.d.get(), &ground), 0);
-  EXPECT_STREQ(ground.soil, "tilled_yolo_loam");
-  EXPECT_EQ(ground.grid_spacing, 0.025);
-  EXPECT_GT(ground.columns, 0u);
-  EXPECT_EQ(ground.volumes, 30 * ground.columns);
-  EXPECT_GT(ground.rut_volume, 0);
-
-  double lowest = 0;
-  softsoil_visit_surface(
-      sim.d.get(),
-      [](void* user, double, double, double height, double sinkage) {
-        auto* lowest = static_cast<double*>(user);
-        *lowest = std::min(*lowest, height);
-        EXPECT_NEAR(height, -sinkage, 1e-12);
-      },
-      &lowest);
-  EXPECT_LE(lowest, sim.Height());
-  EXPECT_LT(lowest, 0);
-
-  EXPECT_EQ(softsoil_reset(sim.m.get(), sim.d.get()), 0);
-  EXPECT_EQ(sim.Height(), 0);
+std::string Warnings(const OneWheel& model) {
+  testing::internal::CaptureStderr();
+  { Simulation sim(model); }
+  return testing::internal::GetCapturedStderr();
 }
 
-TEST(CApi, RefusesBadArguments) {
-  Simulation sim{OneWheel{}};
-  softsoilWheel wheel;
-  EXPECT_EQ(softsoil_wheel(sim.d.get(), 1, &wheel), -1);
-  EXPECT_STREQ(softsoil_error(), "wheel must be 0 to 0, got 1");
-  EXPECT_EQ(softsoil_wheel(sim.d.get(), 0, nullptr), -1);
-  EXPECT_STREQ(softsoil_error(), "result must not be NULL");
-  EXPECT_EQ(softsoil_attach(nullptr, sim.d.get(), nullptr), -1);
-  EXPECT_STREQ(softsoil_error(), "mjModel must not be NULL");
-  const Data other = MakeData(sim.m);
-  EXPECT_EQ(softsoil_wheel(other.get(), 0, &wheel), -1);
-  EXPECT_STREQ(softsoil_error(), "this mjData has no soil: call softsoil_attach() first");
+TEST(SoftSoil, WarnsOfATimeStepTooLong) {
+  OneWheel model;
+  EXPECT_THAT(Warnings(model), Not(HasSubstr("the time step")));
+  model.timestep = "0.1";
+  EXPECT_THAT(Warnings(model),
+              HasSubstr("warning: the time step 0.1 s is more than half of about"));
 }
 
-std::string AttachRefusal(const OneWheel& model, const char* settings = nullptr) {
-  const Model m = Load(model.Mjcf());
-  const Data d = MakeData(m);
-  EXPECT_EQ(softsoil_attach(m.get(), d.get(), settings), -1);
-  const std::string error = softsoil_error();
-  EXPECT_EQ(softsoil_wheel_count(d.get()), -1);
-  return error;
+TEST(SoftSoil, WarnsOfAGridTooCoarseForTheWheel) {
+  OneWheel model;
+  model.custom += R"(<numeric name="softsoil_grid_spacing" data="0.15"/>)";
+  EXPECT_THAT(Warnings(model), HasSubstr("warning: softsoil_grid_spacing is 0.15 m, more than a "
+                                         "quarter of the smallest wheel radius, 0.4 m"));
 }
 
-TEST(Attach, RefusesWhatItCannotDoWithAClearSentence) {
-  const OneWheel good;
-  EXPECT_THAT(AttachRefusal(good, "soil=moon"), HasSubstr("unknown soil \"moon\"; known are: "));
-  EXPECT_THAT(AttachRefusal(good, "tire=moon"),
-              HasSubstr("unknown tire \"moon\"; known are: 18.4R38_85kPa"));
-  EXPECT_THAT(AttachRefusal(good, "tire=hub=auto"),
-              HasSubstr("softsoil_tire: \"hub\" is no wheel; wheels are: wheel"));
-  EXPECT_THAT(AttachRefusal(good, "wheels=hub"), HasSubstr("body \"hub\" has no spin axis"));
-  EXPECT_THAT(AttachRefusal(good, "ground=tread"),
-              HasSubstr("softsoil_ground: geom \"tread\" must be of type plane"));
-  EXPECT_THAT(AttachRefusal(good, "ground=moon"),
-              HasSubstr("softsoil_ground: the model has no geom \"moon\""));
-  EXPECT_THAT(AttachRefusal(good, "soil_file=nowhere.xml"), HasSubstr("nowhere.xml"));
-  EXPECT_THAT(AttachRefusal(good, "clock=-1"), HasSubstr("must be > 0 s, got -1"));
-
-  OneWheel model = good;
-  model.custom = "";
-  EXPECT_THAT(AttachRefusal(model),
-              HasSubstr("softsoil_soil: the model or the settings must name a soil"));
-  model = good;
-  model.plane += R"(euler="70 0 0")";
-  EXPECT_THAT(AttachRefusal(model), HasSubstr("must be at most 60 degrees from level, got 70"));
-  model = good;
-  model.option = R"(gravity="1 0 -9")";
-  EXPECT_EQ(AttachRefusal(model), "<option> gravity: must act along -z, got 1 0 -9");
+TEST(SoftSoil, WarnsOfATireOfAnotherSizeThanItsGeom) {
+  OneWheel model;
+  model.custom += R"(<text name="softsoil_tire" data="18.4R38_85kPa"/>)";
+  EXPECT_THAT(Warnings(model), HasSubstr("warning: wheel \"wheel\": tire \"18.4R38_85kPa\" has "
+                                         "the radius 0.91 m, the wheel's geom 0.4 m"));
 }
 
 }  // namespace

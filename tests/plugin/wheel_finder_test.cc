@@ -105,7 +105,8 @@ TEST(WheelFinder, PutsTheCentreOfAnOffsetGeomOnTheHinge) {
 
 TEST(WheelFinder, TellsSpinFromSteeringOnOneBody) {
   const Model m = Load(World(Car(R"(<body name="w"><joint name="steer" axis="0 0 1"/>
-      <joint name="spin" axis="0 1 0"/><geom type="cylinder" zaxis="0 1 0" size=".4 .1"/></body>)")));
+      <joint name="spin" axis="0 1 0"/>
+      <geom type="cylinder" zaxis="0 1 0" size=".4 .1"/></body>)")));
   const auto wheels = FindWheels(m.get(), {});
   ASSERT_EQ(wheels.size(), 1u);
   EXPECT_EQ(wheels[0].joint, mj_name2id(m.get(), mjOBJ_JOINT, "spin"));

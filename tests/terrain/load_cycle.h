@@ -21,8 +21,7 @@ struct CycleWork {
 
 // One cycle, after which the stress is zero.
 inline void ApplyCycle(const Compaction& soil, const LoadCycle& cycle, SoilVolume& volume,
-                       CycleWork* work = nullptr,
-                       Hardening hardening = Hardening::kVirginCurve) {
+                       CycleWork* work = nullptr, Hardening hardening = Hardening::kVirginCurve) {
   const int steps = static_cast<int>(cycle.duration / cycle.step);
   for (int i = 1; i <= steps; ++i) {
     const double stress = cycle.peak * std::sin(std::acos(-1.0) * i * cycle.step / cycle.duration);

@@ -1,8 +1,9 @@
+#include "tests/terrain/load_cycle.h"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "tests/terrain/load_cycle.h"
 #include "tests/terrain/test_soil.h"
 
 namespace softsoil {
@@ -17,8 +18,8 @@ TEST(LoadCycle, EndsWithThePreconsolidationPointOnTheVirginCurve) {
     ApplyCycle(soil, kPass, volume);
     EXPECT_FALSE(CycleIsOpen(volume));
     EXPECT_EQ(volume.preconsolidation_density, volume.density);
-    EXPECT_NEAR(volume.preconsolidation_stress,
-                96e3 * std::pow(10, (volume.density - 1200) / 500), 1e-6);
+    EXPECT_NEAR(volume.preconsolidation_stress, 96e3 * std::pow(10, (volume.density - 1200) / 500),
+                1e-6);
   }
   EXPECT_GT(volume.preconsolidation_stress, 1.1 * 96e3);
 }

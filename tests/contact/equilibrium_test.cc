@@ -1,0 +1,136 @@
+#include "contact/equilibrium.h"
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+namespace softsoil {
+namespace {
+
+struct Case {
+  TireSpring spring;
+  double k_e, n;
+  PressedPoint point;
+
+  PressedState Solve() const { return Equilibrium(spring, k_e, n, point); }
+
+  // The two sides of the balance once the soil has given way by u [m].
+  double TirePressure(double u) const {
+    const double d = std::max(0.0, point.penetration - point.release * u);
+    return spring.coefficient * (spring.form == SpringForm::kLinear ? d : std::sqrt(d));
+  }
+  double SoilPressure(double u) const {
+    const double z = point.depth + point.deepening * u;
+    return z > 0 ? k_e * std::pow(z, n) : 0.0;
+  }
+};
+
+// Any spring, soil and point, extremes included.
+class Cases {
+ public:
+  Case Next() {
+    const SpringForm form = Uniform(0, 1) < 0.5 ? SpringForm::kLinear : SpringForm::kSquareRoot;
+    Case c{{form, Power(4, 8)}, Power(3, 9), Uniform(0.1, 2), {}};
+    c.point = {Power(-9, -0.3), Uniform(-0.2, 1), Uniform(0.05, 1), Uniform(0.05, 1)};
+    if (Uniform(0, 1) < 0.3) c.point.depth = 0;
+    if (Uniform(0, 1) < 0.3) c.point.depth = Power(-9, -1);
+    if (Uniform(0, 1) < 0.02) c.point.penetration = 0;
+    return c;
+  }
+
+ private:
+  double Uniform(double low, double high) {
+    return std::uniform_real_distribution<double>(low, high)(random_);
+  }
+  double Power(double low, double high) { return std::pow(10.0, Uniform(low, high)); }
+  std::mt19937 random_{1};
+};
+
+constexpr int kCases = 100000;
+
+// The excess of tire over soil falls with u, so its sign around the answer encloses the root.
+TEST(Equilibrium, GivesWayJustUntilTireAndSoilBalance) {
+  Cases cases;
+  int yielded = 0;
+  for (int i = 0; i < kCases; ++i) {
+    const Case c = cases.Next();
+    const PressedState state = c.Solve();
+    if (!state.yields || state.pressure == 0) continue;
+    ++yielded;
+    const double u = (state.depth - c.point.depth) / c.point.deepening;
+    const double step = 2e-12 + 1e-15 / c.point.deepening;
+    const double tolerance = 2e-9 * c.TirePressure(0);
+    ASSERT_GE(c.TirePressure(u - step) - c.SoilPressure(u - step), -tolerance) << i;
+    ASSERT_LE(c.TirePressure(u + step) - c.SoilPressure(u + step), tolerance) << i;
+  }
+  EXPECT_GT(yielded, kCases / 4);
+}
+
+TEST(Equilibrium, KeepsTirePressureAndPenetrationTogether) {
+  Cases cases;
+  for (int i = 0; i < kCases; ++i) {
+    const Case c = cases.Next();
+    const PressedState state = c.Solve();
+    ASSERT_DOUBLE_EQ(state.pressure, SpringPressure(c.spring, state.penetration)) << i;
+    const double u = (state.depth - c.point.depth) / c.point.deepening;
+    ASSERT_NEAR(state.penetration, c.point.penetration - c.point.release * u, 1e-13) << i;
+  }
+}
+
+TEST(Equilibrium, NeitherPressesHarderThanTheTireNorLiftsTheSoil) {
+  Cases cases;
+  for (int i = 0; i < kCases; ++i) {
+    const Case c = cases.Next();
+    const PressedState state = c.Solve();
+    ASSERT_TRUE(std::isfinite(state.pressure) && std::isfinite(state.depth)) << i;
+    ASSERT_GE(state.pressure, 0) << i;
+    ASSERT_LE(state.pressure, c.TirePressure(0) * (1 + 1e-12)) << i;
+    ASSERT_GE(state.penetration, 0) << i;
+    ASSERT_LE(state.penetration, c.point.penetration) << i;
+    ASSERT_GE(state.depth, c.point.depth) << i;
+  }
+}
+
+TEST(Equilibrium, LeavesSoilThatBearsTheTireAsItIs) {
+  Cases cases;
+  int elastic = 0;
+  for (int i = 0; i < kCases; ++i) {
+    const Case c = cases.Next();
+    const PressedState state = c.Solve();
+    ASSERT_EQ(state.yields, c.TirePressure(0) > c.SoilPressure(0)) << i;
+    if (state.yields) continue;
+    ++elastic;
+    ASSERT_EQ(state.depth, c.point.depth);
+    ASSERT_EQ(state.penetration, c.point.penetration);
+  }
+  EXPECT_GT(elastic, kCases / 4);
+}
+
+// A linear tire of stiffness a on soil with n = 1 is two springs in series.
+TEST(Equilibrium, IsTwoSpringsInSeriesOnALinearSoil) {
+  const double a = 2e6, k_e = 1e6;
+  const Case c{{SpringForm::kLinear, a}, k_e, 1, {0.06, 0, 1, 1}};
+  EXPECT_NEAR(c.Solve().pressure, 0.06 / (1 / a + 1 / k_e), 1e-3);
+  EXPECT_NEAR(c.Solve().depth, 0.04, 1e-9);
+  EXPECT_NEAR(c.Solve().penetration, 0.02, 1e-9);
+}
+
+TEST(Equilibrium, PushesABermDownBeforeItBears) {
+  const Case c{{SpringForm::kLinear, 2e6}, 1e6, 1, {0.08, -0.02, 1, 1}};
+  EXPECT_NEAR(c.Solve().depth, 0.04, 1e-9);  // the case above, after 2 cm of berm
+  const Case high{{SpringForm::kLinear, 2e6}, 1e6, 1, {0.015, -0.02, 1, 1}};
+  EXPECT_EQ(high.Solve().pressure, 0);
+  EXPECT_NEAR(high.Solve().depth, -0.005, 1e-12);
+}
+
+TEST(Equilibrium, SinksLessIntoStrongerSoil) {
+  double last = 1;
+  for (double k_e = 1e3; k_e < 1e9; k_e *= 2) {
+    const Case c{{SpringForm::kSquareRoot, 3.469e5}, k_e, 0.85, {0.1, 0, 0.9, 1}};
+    EXPECT_LT(c.Solve().depth, last) << k_e;
+    last = c.Solve().depth;
+  }
+}
+
+}  // namespace
+}  // namespace softsoil

@@ -1,0 +1,67 @@
+#include "terrain/soil_clock.h"
+
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <stdexcept>
+#include <thread>
+#include <vector>
+
+namespace softsoil {
+namespace {
+
+// Lengths of the periods [s] in `steps` steps of h.
+std::vector<double> Periods(double period, double h, int steps) {
+  SoilClock clock(period);
+  std::vector<double> lengths;
+  for (int i = 0; i < steps; ++i) {
+    if (clock.Pass(h)) lengths.push_back(clock.Elapsed());
+  }
+  return lengths;
+}
+
+TEST(SoilClock, TicksOncePerPeriod) {
+  const std::vector<double> lengths = Periods(0.01, 0.001, 10000);
+  ASSERT_EQ(lengths.size(), 1000u);
+  for (double length : lengths) EXPECT_NEAR(length, 0.01, 1e-12);
+}
+
+TEST(SoilClock, TicksAtTheNearestStepWhereTheStepDoesNotDivideThePeriod) {
+  for (double h : {0.0003, 0.0007, 0.003, 0.004, 0.006}) {
+    const std::vector<double> lengths = Periods(0.01, h, 1000);
+    ASSERT_GT(lengths.size(), 10u);
+    for (double length : lengths) EXPECT_NEAR(length, 0.01, h / 2 + 1e-12) << h;
+  }
+}
+
+TEST(SoilClock, LosesNoTime) {
+  double sum = 0;
+  for (double length : Periods(0.01, 0.003, 999)) sum += length;
+  EXPECT_NEAR(sum, 2.997, 1e-9);
+}
+
+TEST(SoilClock, TicksAtEveryStepThatIsLongerThanThePeriod) {
+  EXPECT_EQ(Periods(0.01, 0.025, 8), std::vector<double>(8, 0.025));
+}
+
+TEST(WorkerPool, RunsEveryJob) {
+  std::atomic<int> done{0};
+  std::vector<std::future<void>> jobs;
+  for (int i = 0; i < 200; ++i) jobs.push_back(WorkerPool::Shared().Run([&] { ++done; }));
+  for (auto& job : jobs) job.get();
+  EXPECT_EQ(done, 200);
+}
+
+TEST(WorkerPool, RunsJobsBesideTheCaller) {
+  std::thread::id worker;
+  WorkerPool::Shared().Run([&] { worker = std::this_thread::get_id(); }).get();
+  EXPECT_NE(worker, std::this_thread::get_id());
+}
+
+TEST(WorkerPool, HandsOnWhatAJobThrows) {
+  auto job = WorkerPool::Shared().Run([] { throw std::runtime_error("soil"); });
+  EXPECT_THROW(job.get(), std::runtime_error);
+}
+
+}  // namespace
+}  // namespace softsoil
