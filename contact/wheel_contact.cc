@@ -78,7 +78,8 @@ void WheelContact::Evaluate(const TirePose& pose, const Surface& surface, const 
   for (std::size_t i = 0; i < nodes_.size(); ++i) {
     if (nodes_.position_t[i].dot(up_t) >= highest) continue;
     NodeContact contact;
-    if (!Touch(static_cast<int>(i), pose, forces->patch, soil, h, &contact)) continue;
+    if (!Press(static_cast<int>(i), pose, forces->patch, soil, &contact)) continue;
+    Rub(pose, soil, h, &contact);
     const Vector3d force_w = contact.normal_force_w + contact.shear_force_w;
     forces->wrench.force_w += force_w;
     forces->wrench.torque_w += (contact.point_w - pose.centre_w).cross(force_w);
@@ -87,8 +88,8 @@ void WheelContact::Evaluate(const TirePose& pose, const Surface& surface, const 
   }
 }
 
-bool WheelContact::Touch(int i, const TirePose& pose, const SurfacePatch& patch, const Soil& soil,
-                         double h, NodeContact* contact) const {
+bool WheelContact::Press(int i, const TirePose& pose, const SurfacePatch& patch, const Soil& soil,
+                         NodeContact* contact) const {
   const Vector3d node_w = pose.centre_w + pose.frame_w * nodes_.position_t[i];
   const SurfacePoint ground = patch.At(node_w.x(), node_w.y());
   const double below = ground.height - node_w.z();
@@ -115,18 +116,22 @@ bool WheelContact::Touch(int i, const TirePose& pose, const SurfacePatch& patch,
   contact->point_w = node_w - state.penetration * radial_w;
   contact->normal_force_w =
       -contact->pressure * contact->area * (pose.frame_w * nodes_.normal_t[i]);
+  return true;
+}
 
+void WheelContact::Rub(const TirePose& pose, const Soil& soil, double h,
+                       NodeContact* contact) const {
+  const int i = contact->node;
   const Vector3d tangent_w = pose.frame_w * nodes_.tangent_t[i];
   const Vector3d binormal_w = pose.frame_w * nodes_.binormal_t[i];
   const Vector3d slip_w =
       pose.velocity_w + pose.angular_velocity_w.cross(contact->point_w - pose.centre_w);
-  contact->mobilisation = Slip(mobilisation_[i], slip_w.dot(tangent_w), slip_w.dot(binormal_w), h,
-                               soil.shear.modulus);
+  const double v_t = slip_w.dot(tangent_w), v_b = slip_w.dot(binormal_w), K = soil.shear.modulus;
+  contact->mobilisation = Slip(mobilisation_[i], v_t, v_b, h, K);
+  const Mobilisation damped = Slip(contact->mobilisation, v_t, v_b, kShearLead, K);
   const double strength = ShearStrength(soil.shear, tire_.soil_friction, contact->pressure);
   contact->shear_force_w =
-      -strength * contact->area *
-      (contact->mobilisation.t * tangent_w + contact->mobilisation.b * binormal_w);
-  return true;
+      -strength * contact->area * (damped.t * tangent_w + damped.b * binormal_w);
 }
 
 void WheelContact::Commit(const PatchForces& forces) {

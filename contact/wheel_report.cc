@@ -8,7 +8,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double kSlowest = 0.01;  // [m/s]  least speed in the slip ratio
+constexpr double kSlowest = 0.01;  // [m/s]  below it slip is not asked for its direction
 
 // The W axes of a wheel.
 struct Axes {
@@ -53,7 +53,7 @@ WheelReport ReportOf(const Tire& tire, const TirePose& pose, const PatchForces& 
       std::abs(forward) >= kSlowest ? forward : std::copysign(kSlowest, forward + rolling);
   report.forward_speed = forward;
   report.slip_ratio = (rolling - forward) / speed;
-  report.slip_angle = std::atan2(left, std::abs(forward));
+  report.slip_angle = std::hypot(left, forward) >= kSlowest ? std::atan2(left, std::abs(forward)) : 0;
 
   for (const NodeContact& c : forces.contacts) {
     report.thrust += c.shear_force_w.dot(axes.forward);

@@ -6,7 +6,7 @@
 // torques are those of the ground on the wheel. A wheel that rolls forward has a positive spin.
 //   slip ratio   (r w - v) / v with the unloaded radius r, spin w, forward speed v (4.8); positive
 //                when driven. Below 0.01 m/s that speed stands in for v.
-//   slip angle   atan2(v_y, |v_x|): positive when the wheel slides to the left.
+//   slip angle   atan2(v_y, |v_x|): positive when the wheel slides to the left; 0 below 0.01 m/s.
 //   camber       rotation of the wheel plane about x: positive when its top leans to the right.
 #pragma once
 

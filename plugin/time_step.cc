@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "contact/flat_plate.h"
+#include "contact/wheel_contact.h"
 #include "terrain/shear.h"
 
 namespace softsoil {
@@ -47,7 +48,7 @@ double LongestStep(const mjModel* m, const Wheel& wheel, const Tire& tire, const
   const double shear_stiffness = ShearStrength(soil.shear, tire.soil_friction, contact.pressure) /
                                  soil.shear.modulus * contact.area;
   return std::min(LongestStep({1 / inverse_mass, contact.stiffness, tire.damping * contact.area}),
-                  LongestStep({1 / inverse_rolling_mass, shear_stiffness, 0}));
+                  LongestStep({1 / inverse_rolling_mass, shear_stiffness, kShearLead * shear_stiffness}));
 }
 
 }  // namespace softsoil

@@ -24,9 +24,7 @@ SOFTSOIL_HD inline double BearingPressure(double k_e, double n, double z) {
   return z > 0 ? k_e * std::pow(z, n) : 0.0;
 }
 
-// Its derivative [Pa/m] for z > 0.
-SOFTSOIL_HD inline double BearingSlope(double k_e, double n, double z) {
-  return k_e * n * std::pow(z, n - 1);
-}
+// Its derivative dp/dz [Pa/m] at the sinkage z [m] > 0 where it is p [Pa].
+SOFTSOIL_HD inline double BearingSlope(double p, double n, double z) { return n * p / z; }
 
 }  // namespace softsoil

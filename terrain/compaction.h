@@ -76,24 +76,29 @@ SOFTSOIL_HD inline void EndCycle(const Compaction& soil, Hardening hardening, So
   volume.peak_density = 0;
 }
 
+// Rebound [kg/m^3] that may still be due when the cycle of an unloaded volume is closed.
+constexpr double kReboundDue = 1e-3;
+
 // Holds the vertical stress [Pa] (compression positive) on the volume for the time h [s].
 //
 // Above the preconsolidation stress it compacts towards the virgin curve (3.7); once the stress is
-// below it after a compression, it springs back (3.8); at zero stress the load cycle ends. Both
-// rates are written per elapsed time, so the result converges as h -> 0: the thesis' cumulative
-// rebound clock (line 16) does not.
+// below it after a compression, it springs back (3.8); when the load is off and the rebound is
+// done, the load cycle ends. Both rates are written per elapsed time, so the result converges as
+// h -> 0, even if the load goes in one step: the thesis' cumulative rebound clock (line 16) and its
+// end of the cycle at the first instant without stress (line 26) do not.
 SOFTSOIL_HD inline void Advance(const Compaction& soil, double stress, double h, SoilVolume& volume,
                                 Hardening hardening = Hardening::kVirginCurve) {
   if (!CycleIsOpen(volume) && stress <= volume.preconsolidation_stress) return;
   const double target = stress > 0 ? TargetDensity(soil, volume, stress) : 0.0;
+  const bool as_table = hardening == Hardening::kThesisTable;
   if (target > volume.density) {
     volume.density += (target - volume.density) * -std::expm1(-h / soil.compression_time);
     if (volume.density > volume.peak_density) volume.peak_density = volume.density;
-  } else if (CycleIsOpen(volume) &&
-             (stress < volume.preconsolidation_stress || hardening == Hardening::kThesisTable)) {
-    const double spring_back = volume.density - ReboundDensity(soil, volume);
-    if (spring_back > 0) volume.density -= spring_back * -std::expm1(-h / soil.rebound_time);
-    if (stress <= 0) EndCycle(soil, hardening, volume);
+  } else if (CycleIsOpen(volume) && (stress < volume.preconsolidation_stress || as_table)) {
+    const double due = std::fmax(volume.density - ReboundDensity(soil, volume), 0.0);
+    const double left = due * std::exp(-h / soil.rebound_time);
+    volume.density -= due - left;
+    if (stress <= 0 && (left < kReboundDue || as_table)) EndCycle(soil, hardening, volume);
   }
 }
 

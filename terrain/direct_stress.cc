@@ -20,7 +20,7 @@ namespace {
 // cos^nu(theta) = t^(nu/2), t = z^2 / R^2, as a polynomial in t, for real nu without a power per
 // pair. Inside the cone t >= 1/(nu + 2), where the function is smooth: Chebyshev interpolation of
 // this degree is good to float accuracy.
-constexpr int kDegree = 9;
+constexpr int kDegree = 7;
 using CosinePolynomial = std::array<float, kDegree + 1>;  // coefficients in s = 2 (t - mid) / span
 
 struct CosineSeries {

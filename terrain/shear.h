@@ -33,8 +33,8 @@ struct Mobilisation {
 // Janosi-Hanamoto in the form of a rate, dm = (v - |v| m) dt / K. From rest and at a constant
 // direction it is |m| = 1 - exp(-j/K), equation 4.15 as it should read, for any time step. Unlike
 // a slip displacement that is merely summed (4.10) it forgets the slip that it has already turned
-// into plastic shear: the stress unloads and reverses with the slip, a small oscillation of a
-// resting wheel dies out, and the length never exceeds one.
+// into plastic shear: the stress unloads and reverses with the slip, and the length never exceeds
+// one.
 SOFTSOIL_HD inline Mobilisation Slip(Mobilisation m, double v_t, double v_b, double h, double K) {
   const double speed = std::sqrt(v_t * v_t + v_b * v_b);
   if (speed <= 0) return m;

@@ -37,18 +37,21 @@ SurfaceLoad Load() {
 void BM_DirectStress(benchmark::State& state) {
   const ColumnBatch columns = Columns();
   const SurfaceLoad load = Load();
-  const auto field =
-      MakeDirectStress({5, 1.25 * kSpacing, static_cast<int>(state.range(0))});
+  const auto field = MakeDirectStress({5, 1.25 * kSpacing, static_cast<int>(state.range(0))});
   std::vector<float> stress;
   for (auto _ : state) {
     field->VerticalStress(columns, load, &stress);
     benchmark::DoNotOptimize(stress.data());
   }
-  state.counters["pairs/s"] = benchmark::Counter(
-      static_cast<double>(stress.size()) * load.size(), benchmark::Counter::kIsIterationInvariantRate);
+  state.counters["pairs/s"] = benchmark::Counter(static_cast<double>(stress.size()) * load.size(),
+                                                 benchmark::Counter::kIsIterationInvariantRate);
 }
-BENCHMARK(BM_DirectStress)->ArgName("threads")->Arg(1)->Arg(2)->UseRealTime()->Unit(
-    benchmark::kMillisecond);
+BENCHMARK(BM_DirectStress)
+    ->ArgName("threads")
+    ->Arg(1)
+    ->Arg(2)
+    ->UseRealTime()
+    ->Unit(benchmark::kMillisecond);
 
 }  // namespace
 }  // namespace softsoil

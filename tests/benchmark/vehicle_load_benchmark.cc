@@ -22,9 +22,9 @@ struct Vehicle {
     GroundSettings settings;
     settings.sync = true;
     settings.threads = threads;
-    wheels = std::make_unique<SoftWheels>(soils.Find("tilled_yolo_loam"), settings,
-                                          [](double, double) { return 0.0; },
-                                          std::vector<Tire>(4, tire));
+    wheels = std::make_unique<SoftWheels>(
+        soils.Find("tilled_yolo_loam"), settings, [](double, double) { return 0.0; },
+        std::vector<Tire>(4, tire));
     for (int w = 0; w < 4; ++w) {
       poses[w].centre_w = {3.3 * (w / 2), 1.82 * (w % 2), tire.shape.radius - kSunk};
       poses[w].velocity_w = {kSpeed, 0, 0};
@@ -84,8 +84,12 @@ void BM_SoilTick(benchmark::State& state) {
   }
   state.counters["volumes"] = static_cast<double>(ground.VolumeCount());
 }
-BENCHMARK(BM_SoilTick)->ArgName("threads")->Arg(1)->Arg(2)->UseRealTime()->Unit(
-    benchmark::kMillisecond);
+BENCHMARK(BM_SoilTick)
+    ->ArgName("threads")
+    ->Arg(1)
+    ->Arg(2)
+    ->UseRealTime()
+    ->Unit(benchmark::kMillisecond);
 
 }  // namespace
 }  // namespace softsoil

@@ -28,7 +28,8 @@ double PlateIntegral(const Tire& tire, double z) {
       const double x = (i + 0.5) / kPoints * half_length, c2 = x * x + a * a;
       const double d = R - std::sqrt(c2);
       const double f = tire.spring.form == SpringForm::kLinear ? d : std::sqrt(d);
-      load += 4 * tire.spring.coefficient * f * a * a / c2 * half_length / kPoints * b / 2 / kPoints;
+      load +=
+          4 * tire.spring.coefficient * f * a * a / c2 * half_length / kPoints * b / 2 / kPoints;
     }
   }
   return load;
@@ -40,8 +41,8 @@ TEST(FlatPlate, CarriesThePublishedLoadOfThe18_4R38) {
 }
 
 TEST(FlatPlate, AgreesWithTheIntegralOverThePlate) {
-  for (const char* name : {"18.4R38_85kPa", "18.4R38_125kPa", "24.5R32_85kPa",
-                           "37x12.5R16.5_15psi", "37x12.5R16.5_35psi"}) {
+  for (const char* name : {"18.4R38_85kPa", "18.4R38_125kPa", "24.5R32_85kPa", "37x12.5R16.5_15psi",
+                           "37x12.5R16.5_35psi"}) {
     for (double z : {0.02, 0.05, 0.1}) {
       const double load = PlateIntegral(TireNamed(name), z);
       EXPECT_NEAR(FlatPlateLoad(TireNamed(name), z, 0.002) / load, 1, 1e-3) << name << " " << z;
@@ -72,7 +73,7 @@ TEST(FlatPlate, HasAClosedFormForALinearCylinder) {
   for (double z : {0.01, 0.0508, 0.1}) {
     const double angle = std::acos((r - z) / r);
     const double load = 2 * w * a * (r - z) *
-        (r * angle - (r - z) * std::log(1 / std::cos(angle) + std::tan(angle)));
+                        (r * angle - (r - z) * std::log(1 / std::cos(angle) + std::tan(angle)));
     EXPECT_NEAR(FlatPlateLoad(tire, z, 0.001) / load, 1, 2e-4) << z;
   }
 }
@@ -84,8 +85,8 @@ TEST(FlatPlate, ApproachesEquation4_18ForSmallDeflections) {
   const double r = tire.shape.radius, w = tire.shape.width, a = tire.spring.coefficient;
   for (double z : {0.003, 0.01, 0.0508, 0.1}) {
     const double angle = std::acos((r - z) / r);
-    const double load = 2 * w * r * a *
-        (r * (angle / 2 + std::sin(2 * angle) / 4) - (r - z) * std::sin(angle));
+    const double load =
+        2 * w * r * a * (r * (angle / 2 + std::sin(2 * angle) / 4) - (r - z) * std::sin(angle));
     EXPECT_NEAR(FlatPlateLoad(tire, z, 0.001) / load, 1, z / r) << z;
   }
 }

@@ -60,7 +60,8 @@ TEST(FrameInvariance, HoldsForShiftsByWholeCellsOfARuttedField) {
   for (const Vector3d& shift : {Vector3d(5, 0, 0), Vector3d(-12.5, 3.15, 0)}) {
     Surface shifted(kGrid, SurfaceMode::kFlow, Level);
     Press(&shifted, 20, [&](double x, double y) {
-      const bool inside = std::max(std::abs(x - shift.x()), std::abs(y - shift.y())) < 1 + kGrid / 2;
+      const bool inside =
+          std::max(std::abs(x - shift.x()), std::abs(y - shift.y())) < 1 + kGrid / 2;
       return inside ? Waves(x - shift.x(), y - shift.y()) : 0.0;
     });
     TirePose moved = pose;
@@ -102,7 +103,8 @@ TEST(FrameInvariance, HoldsForTheMirrorImage) {
   for (double camber : {-0.2, 0.05, 0.3}) {
     for (double steer : {-0.4, 0.0, 0.2}) {
       TirePose pose = PressedIn(AgriculturalTire(), 0.08);
-      pose.frame_w = RotationAbout(Vector3d::UnitZ(), steer) * RotationAbout(Vector3d::UnitX(), camber);
+      pose.frame_w =
+          RotationAbout(Vector3d::UnitZ(), steer) * RotationAbout(Vector3d::UnitX(), camber);
       pose.velocity_w = Vector3d(1, 0.2, -0.1);
       pose.angular_velocity_w = 1.5 * pose.frame_w.col(1);
       TirePose image = pose;

@@ -42,10 +42,10 @@ TEST(PlasticSinkage, IsWhereTireAndSoilBalance) {
   Print print;
   print.Press(tire, PressedIn(tire, 0.1), soil);
   const double sinkage = -print.surface.NodeHeight({0, 0});
-  EXPECT_NEAR(SpringPressure(tire.spring, 0.1 - sinkage) /
-                  BearingPressure(BearingModulus(soil.bearing, tire.shape.width), soil.bearing.n,
-                                  sinkage),
-              1, 1e-6);
+  EXPECT_NEAR(
+      SpringPressure(tire.spring, 0.1 - sinkage) /
+          BearingPressure(BearingModulus(soil.bearing, tire.shape.width), soil.bearing.n, sinkage),
+      1, 1e-6);
 }
 
 TEST(PlasticSinkage, StaysInsideTheTire) {
@@ -82,7 +82,8 @@ TEST(PlasticSinkage, IsNothingOnRockAndInTheAir) {
 TEST(PlasticSinkage, FollowsTheCamberOfTheWheel) {
   Print print;
   TirePose pose = PressedIn(TruckTire(), 0.08);
-  pose.frame_w = RotationAbout(Eigen::Vector3d::UnitX(), 0.2);  // top to the right, foot to the left
+  pose.frame_w =
+      RotationAbout(Eigen::Vector3d::UnitX(), 0.2);  // top to the right, foot to the left
   print.Press(TruckTire(), pose, TilledLoam());
   // The right edge of the tread goes down when the top leans to the right.
   EXPECT_LT(print.surface.NodeHeight({0, -3}), print.surface.NodeHeight({0, 3}));

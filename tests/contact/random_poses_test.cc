@@ -20,9 +20,8 @@ class Poses {
     const double reach = Pick() < 0.05 ? 1e5 : 1.5, speed = std::pow(10, 6 * Pick() - 4);
     TirePose pose;
     pose.centre_w = {reach * Signed(), reach * Signed(), 2 * Signed()};
-    pose.frame_w = Eigen::Quaterniond(Signed(), Signed(), Signed(), Signed())
-                       .normalized()
-                       .toRotationMatrix();
+    pose.frame_w =
+        Eigen::Quaterniond(Signed(), Signed(), Signed(), Signed()).normalized().toRotationMatrix();
     if (Pick() < 0.1) pose.frame_w = RotationAbout(Vector3d::UnitX(), kPi / 2);  // on its side
     if (Pick() < 0.1) pose.frame_w = RotationAbout(Vector3d::UnitX(), kPi);      // upside down
     pose.velocity_w = speed * Vector3d(Signed(), Signed(), Signed());
@@ -49,10 +48,10 @@ bool Finite(const PatchForces& forces) {
 }
 
 bool Finite(const WheelReport& r) {
-  for (double value : {r.load, r.sinkage, r.rut_depth, r.slip_ratio, r.slip_angle, r.camber, r.spin,
-                       r.forward_speed, r.thrust, r.motion_resistance, r.drawbar_pull,
-                       r.lateral_force, r.torque, r.contact_area, r.mean_pressure,
-                       r.peak_pressure}) {
+  for (double value :
+       {r.load, r.sinkage, r.rut_depth, r.slip_ratio, r.slip_angle, r.camber, r.spin,
+        r.forward_speed, r.thrust, r.motion_resistance, r.drawbar_pull, r.lateral_force, r.torque,
+        r.contact_area, r.mean_pressure, r.peak_pressure}) {
     if (!std::isfinite(value)) return false;
   }
   return true;

@@ -1,8 +1,8 @@
 // Nothing depends on threads or on the time of day.
 #include <gtest/gtest.h>
 
-#include "tests/contact/samples.h"
 #include "contact/soft_wheels.h"
+#include "tests/contact/samples.h"
 
 namespace softsoil {
 namespace {
@@ -75,8 +75,8 @@ std::vector<double> VolumesByTick(bool sync, int ticks) {
   const Soil soil = LooseLoam();
   const WheelContact wheel(TruckTire(), 0.05);
   PatchForces forces;
-  wheel.Evaluate(PressedIn(TruckTire(), 0.08), Surface(0.05, SurfaceMode::kFlow, Level), soil,
-                 0.01, &forces);
+  wheel.Evaluate(PressedIn(TruckTire(), 0.08), Surface(0.05, SurfaceMode::kFlow, Level), soil, 0.01,
+                 &forces);
   Ground ground(soil, drive.Settings(), Level, 1);
   std::vector<double> volumes;
   for (int tick = 0; tick < ticks; ++tick) {

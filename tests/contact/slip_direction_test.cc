@@ -1,9 +1,9 @@
 // Slip as a vector: how a node that slides to and fro, or aside, mobilises the soil.
-#include "terrain/shear.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
+
+#include "terrain/shear.h"
 
 namespace softsoil {
 namespace {
@@ -32,7 +32,9 @@ TEST(Slip, TurnsToTheDirectionOfTheSlip) {
 
 TEST(Slip, KnowsNoPreferredAxis) {
   const double angle = 1.1, c = std::cos(angle), s = std::sin(angle);
-  const auto rotated = [&](double t, double b) { return Mobilisation{c * t - s * b, s * t + c * b}; };
+  const auto rotated = [&](double t, double b) {
+    return Mobilisation{c * t - s * b, s * t + c * b};
+  };
   const Mobilisation v{0.3, -0.8};
   const Mobilisation plain = Slip({0.5, 0.2}, v.t, v.b, 0.01, kModulus);
   const Mobilisation v_rotated = rotated(v.t, v.b);

@@ -70,8 +70,8 @@ class SoilBin {
     // 5/s: the damper of the rig.
     pose_.velocity_w.z() += h * (report.load / mass - 9.81 - 5 * pose_.velocity_w.z());
     pose_.centre_w += h * pose_.velocity_w;
-    pose_.frame_w = RotationAbout(Eigen::Vector3d::UnitY(), h * pose_.angular_velocity_w.y()) *
-                    pose_.frame_w;
+    pose_.frame_w =
+        RotationAbout(Eigen::Vector3d::UnitY(), h * pose_.angular_velocity_w.y()) * pose_.frame_w;
     return report;
   }
 

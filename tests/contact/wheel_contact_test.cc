@@ -77,7 +77,8 @@ TEST(WheelContact, NeverPullsAndNeverRubsBeyondItsFriction) {
     EXPECT_NEAR(c.normal_force_w.norm(), c.pressure * c.area, 1e-9);
     EXPECT_LE(c.shear_force_w.norm(),
               field.tire.soil_friction * c.normal_force_w.norm() * (1 + 1e-12));
-    EXPECT_NEAR(c.shear_force_w.dot(c.normal_force_w), 0, 1e-9 * (1 + c.normal_force_w.squaredNorm()));
+    EXPECT_NEAR(c.shear_force_w.dot(c.normal_force_w), 0,
+                1e-9 * (1 + c.normal_force_w.squaredNorm()));
   }
 }
 
@@ -173,8 +174,8 @@ TEST(Wrench, KeepsItsMomentWhenItsPointMoves) {
   const Wrench back = About(About(w, Vector3d(7, 8, 9)), w.at_w);
   EXPECT_LT(RelativeError(back.torque_w, w.torque_w), 1e-12);
   // A force at (1, 0, 0) along z turns about -y.
-  const Wrench lever = About({Vector3d(0, 0, 2), Vector3d::Zero(), Vector3d(1, 0, 0)},
-                             Vector3d::Zero());
+  const Wrench lever =
+      About({Vector3d(0, 0, 2), Vector3d::Zero(), Vector3d(1, 0, 0)}, Vector3d::Zero());
   EXPECT_EQ(lever.torque_w, Vector3d(0, -2, 0));
 }
 

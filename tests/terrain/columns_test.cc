@@ -99,6 +99,7 @@ TEST(Columns, AreVisitedUntilTheirLoadCycleHasEnded) {
   Columns columns = FlatColumns(kGrid);
   Pressed(columns, LoadOf(kPlate, kGrid.spacing), 5);
   EXPECT_GT(columns.Advance({}, kPeriod).compaction.size(), 40u);
+  for (int period = 0; period < 10; ++period) columns.Advance({}, kPeriod);
   EXPECT_TRUE(columns.Advance({}, kPeriod).compaction.empty());
 }
 

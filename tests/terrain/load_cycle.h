@@ -19,7 +19,7 @@ struct CycleWork {
   double peak_power = 0;  // [W/m^3]
 };
 
-// One cycle, after which the stress is zero.
+// One cycle, after which the stress is zero until the volume has sprung back.
 inline void ApplyCycle(const Compaction& soil, const LoadCycle& cycle, SoilVolume& volume,
                        CycleWork* work = nullptr, Hardening hardening = Hardening::kVirginCurve) {
   const int steps = static_cast<int>(cycle.duration / cycle.step);
@@ -32,7 +32,7 @@ inline void ApplyCycle(const Compaction& soil, const LoadCycle& cycle, SoilVolum
     work->energy += energy;
     work->peak_power = std::max(work->peak_power, energy / cycle.step);
   }
-  Advance(soil, 0, cycle.step, volume, hardening);
+  while (CycleIsOpen(volume)) Advance(soil, 0, cycle.step, volume, hardening);
 }
 
 }  // namespace softsoil

@@ -44,9 +44,24 @@ TEST(LoadReach, BoundIsNeverExceeded) {
 }
 
 // A bound that is never nearly reached would visit columns for nothing.
-TEST(LoadReach, BoundOfOneForceIsReached) {
-  const SurfaceLoad load{ForceAt({0, 0}, kDx, 0, {0, 0, -1e3})};
-  EXPECT_GT(MostBelow(load, 5, 0.3, 0), 0.99 * LoadReach(load, 5).At(0.3, 0).stress);
+TEST(LoadReach, BoundOfOneForceIsReachedButNotExceeded) {
+  for (const Eigen::Vector3d& force : {Eigen::Vector3d(0, 0, -1e3), Eigen::Vector3d(1e3, 0, 0)}) {
+    const SurfaceLoad load{ForceAt({0, 0}, kDx, 0, force)};
+    const double bound = LoadReach(load, 5).At(0.3, 0).stress;
+    EXPECT_LE(MostBelow(load, 5, 0.3, 0), bound);
+    EXPECT_GT(MostBelow(load, 5, 0.3, 0), 0.99 * bound);
+  }
+}
+
+TEST(LoadReach, RectanglesHoldWhatTwoSourcesPressTogether) {
+  SurfaceLoad load{ForceAt({0, 0}, kDx, 0, {0, 0, -1e3}), ForceAt({0, 0}, kDx, 0, {0, 0, -1e3})};
+  load[1].source = 1;
+  const double stress = MostBelow(load, 5, 0.3, 0);
+  bool inside = false;
+  LoadReach(load, 5).ForEachRectangle(stress, [&](double x0, double x1, double, double) {
+    inside = inside || (x0 <= -0.3 && x1 >= 0.3);
+  });
+  EXPECT_TRUE(inside);
 }
 
 TEST(LoadReach, OutsideItsRectanglesEveryStressIsBelow) {

@@ -75,6 +75,17 @@ TEST(Rebound, IsSpentOncePerCycleHoweverOftenTheStressFalls) {
   EXPECT_NEAR(volume.density, peak - soil.rebound_index, 1e-9);
 }
 
+// A load that goes in one step gives back as much as one that is held off, for any time step.
+TEST(Rebound, IsTheSameForAnyStepAfterASuddenUnloading) {
+  const Compaction soil = LooseLoam();
+  for (double step : {1e-2, 1e-3, 1e-4}) {
+    SoilVolume volume = Compacted(soil, 0.5);
+    const double peak = volume.density;
+    while (CycleIsOpen(volume)) Advance(soil, 0, step, volume);
+    EXPECT_NEAR(volume.density, peak - soil.rebound_index, kReboundDue);
+  }
+}
+
 // Columns keep the peak in float: rounded up it may stand above the density.
 TEST(Rebound, DoesNotReachForAPeakThatWasRoundedUp) {
   Compaction soil = LooseLoam();

@@ -59,6 +59,35 @@ TEST(SkippedColumns, WouldNotHaveYielded) {
   EXPECT_GT(yielding, 50);
 }
 
+// Under a single force the bound is tight: the columns visited are just those that yield.
+TEST(SkippedColumns, WouldNotHaveYieldedBesideASingleForce) {
+  const double dx = 0.01;
+  const SurfaceLoad load{ForceAt({0, 0}, dx, 0, {0, 0, -8e3})};
+  Columns columns = FlatColumns({dx, dx, 60});
+  std::set<std::pair<int, int>> visited;
+  for (const NodeSinkage& s : columns.Advance(load, 0.01).compaction) {
+    visited.insert({s.node.i, s.node.j});
+  }
+  const auto most = [&](int i, int j) {
+    double stress = 0;
+    for (double z = -0.005; z > -0.6; z -= 0.01) {
+      stress = std::max(stress, StressInCones(ForOracle(load), 5, {i * dx, j * dx, z}));
+    }
+    return stress;
+  };
+  for (int i = -20; i <= 20; ++i) {
+    for (int j = -20; j <= 20; ++j) {
+      if (most(i, j) > kYield) {
+        EXPECT_EQ(visited.count({i, j}), 1u) << i << ", " << j;
+      }
+      if (most(i, j) < 0.9 * kYield) {
+        EXPECT_EQ(visited.count({i, j}), 0u) << i << ", " << j;
+      }
+    }
+  }
+  EXPECT_GT(visited.size(), 200u);
+}
+
 // Beyond the circles too, so not just their own columns are visited.
 TEST(SkippedColumns, AreNotThoseBesideTheLoadThatYield) {
   SurfaceLoad load = LoadOf({{0, 0}, 0.2, 1000e3}, kGrid.spacing);
