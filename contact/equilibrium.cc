@@ -24,8 +24,8 @@ PressedState Equilibrium(const TireSpring& spring, double k_e, double n,
     const double excess = SpringPressure(spring, d) - bearing;
     if (std::abs(excess) <= 1e-9 * elastic) break;
     (excess > 0 ? low : high) = u;
-    const double slope = -SpringSlope(spring, d) * point.release -
-                         BearingSlope(bearing, n, z) * point.deepening;
+    const double slope =
+        -SpringSlope(spring, d) * point.release - BearingSlope(bearing, n, z) * point.deepening;
     const double newton = u - excess / slope;
     u = newton > low && newton < high ? newton : (low + high) / 2;
   }

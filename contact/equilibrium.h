@@ -8,10 +8,10 @@ namespace softsoil {
 
 // A point of the tire surface at the ground.
 struct PressedPoint {
-  double penetration;    // [m]  d: radial, of the undeformed tire below the surface, >= 0
-  double depth;          // [m]  z_c: of the surface below the undisturbed ground
-  double release;        // [-]  loss of penetration per metre that the soil gives way, > 0
-  double deepening;      // [-]  gain of depth per metre that the soil gives way, > 0
+  double penetration;  // [m]  d: radial, of the undeformed tire below the surface, >= 0
+  double depth;        // [m]  z_c: of the surface below the undisturbed ground
+  double release;      // [-]  loss of penetration per metre that the soil gives way, > 0
+  double deepening;    // [-]  gain of depth per metre that the soil gives way, > 0
 };
 
 struct PressedState {

@@ -19,8 +19,7 @@ void RequireUsable(const TirePose& pose) {
                       pose.velocity_w.allFinite() && pose.angular_velocity_w.allFinite();
   if (!finite) throw std::runtime_error("the pose or velocity of the wheel is not finite");
   if (pose.centre_w.cwiseAbs().maxCoeff() > kFarthest) {
-    throw std::runtime_error("the wheel is more than " + Shown(kFarthest) +
-                             " m from the origin");
+    throw std::runtime_error("the wheel is more than " + Shown(kFarthest) + " m from the origin");
   }
 }
 
@@ -102,8 +101,8 @@ bool WheelContact::Press(int i, const TirePose& pose, const SurfacePatch& patch,
   point.penetration = std::min(below / std::max(descent, kLeastDescent), nodes_.radius[i]);
   point.depth = ground.sinkage;
   point.release = 1;
-  point.deepening = std::max(
-      Descent(radial_w, ground.undisturbed_x, ground.undisturbed_y), kLeastDescent);
+  point.deepening =
+      std::max(Descent(radial_w, ground.undisturbed_x, ground.undisturbed_y), kLeastDescent);
   const PressedState state = Equilibrium(tire_.spring, k_e, n, point);
 
   contact->node = i;

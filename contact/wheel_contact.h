@@ -34,13 +34,13 @@ Wrench About(const Wrench& wrench, const Eigen::Vector3d& at_w);
 
 // One node in contact.
 struct NodeContact {
-  int node;                         // of TireNodes
-  Eigen::Vector3d point_w;          // [m]   of the deformed tire
-  Eigen::Vector3d normal_force_w;   // [N]   on the wheel, from the pressure
-  Eigen::Vector3d shear_force_w;    // [N]   on the wheel
-  double pressure, area;            // [Pa], [m^2]
-  double depth;                     // [m]   below the undisturbed ground
-  Mobilisation mobilisation;        // at the end of the step
+  int node;                        // of TireNodes
+  Eigen::Vector3d point_w;         // [m]   of the deformed tire
+  Eigen::Vector3d normal_force_w;  // [N]   on the wheel, from the pressure
+  Eigen::Vector3d shear_force_w;   // [N]   on the wheel
+  double pressure, area;           // [Pa], [m^2]
+  double depth;                    // [m]   below the undisturbed ground
+  Mobilisation mobilisation;       // at the end of the step
 };
 
 // Answer of Evaluate(). Reused between calls, so that a step allocates nothing.

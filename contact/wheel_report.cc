@@ -53,7 +53,8 @@ WheelReport ReportOf(const Tire& tire, const TirePose& pose, const PatchForces& 
       std::abs(forward) >= kSlowest ? forward : std::copysign(kSlowest, forward + rolling);
   report.forward_speed = forward;
   report.slip_ratio = (rolling - forward) / speed;
-  report.slip_angle = std::hypot(left, forward) >= kSlowest ? std::atan2(left, std::abs(forward)) : 0;
+  report.slip_angle =
+      std::hypot(left, forward) >= kSlowest ? std::atan2(left, std::abs(forward)) : 0;
 
   for (const NodeContact& c : forces.contacts) {
     report.thrust += c.shear_force_w.dot(axes.forward);

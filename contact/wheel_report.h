@@ -34,7 +34,6 @@ struct WheelReport {
   double peak_pressure;      // [Pa]
 };
 
-
 WheelReport ReportOf(const Tire& tire, const TirePose& pose, const PatchForces& forces);
 
 }  // namespace softsoil

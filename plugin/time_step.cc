@@ -47,8 +47,9 @@ double LongestStep(const mjModel* m, const Wheel& wheel, const Tire& tire, const
       inverse_mass + radius * radius * m->dof_invweight0[m->jnt_dofadr[wheel.joint]];
   const double shear_stiffness = ShearStrength(soil.shear, tire.soil_friction, contact.pressure) /
                                  soil.shear.modulus * contact.area;
-  return std::min(LongestStep({1 / inverse_mass, contact.stiffness, tire.damping * contact.area}),
-                  LongestStep({1 / inverse_rolling_mass, shear_stiffness, kShearLead * shear_stiffness}));
+  return std::min(
+      LongestStep({1 / inverse_mass, contact.stiffness, tire.damping * contact.area}),
+      LongestStep({1 / inverse_rolling_mass, shear_stiffness, kShearLead * shear_stiffness}));
 }
 
 }  // namespace softsoil

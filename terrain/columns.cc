@@ -156,8 +156,7 @@ Columns::Tile& Columns::Touch(TileIndex index) {
     const std::size_t count = std::size_t(kColumnsPerTile) * settings_.volumes;
     tile->density.assign(count, fresh.density);
     tile->preconsolidation_density.assign(count, static_cast<float>(fresh.density));
-    tile->preconsolidation_stress.assign(count,
-                                         static_cast<float>(fresh.preconsolidation_stress));
+    tile->preconsolidation_stress.assign(count, static_cast<float>(fresh.preconsolidation_stress));
     tile->peak_density.assign(count, 0.0f);
     const double depth = settings_.volumes * settings_.volume_height;
     for (int place = 0; place < kColumnsPerTile; ++place) {
@@ -169,9 +168,7 @@ Columns::Tile& Columns::Touch(TileIndex index) {
   });
 }
 
-std::size_t Columns::MemoryBytes() const {
-  return tiles_.size() * sizeof(Tile) + VolumeBytes();
-}
+std::size_t Columns::MemoryBytes() const { return tiles_.size() * sizeof(Tile) + VolumeBytes(); }
 
 std::size_t Columns::VolumeBytes() const {
   return volume_count() * (sizeof(double) + 3 * sizeof(float));

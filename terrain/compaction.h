@@ -21,11 +21,11 @@ struct Compaction {
 
 // What a volume remembers. Its preconsolidation point is where the virgin curve starts for it.
 struct SoilVolume {
-  double density;                    // [kg/m^3]
-  double preconsolidation_density;   // [kg/m^3]  rho_0
-  double preconsolidation_stress;    // [Pa]      sigma_0
-  double peak_density;               // [kg/m^3]  highest of this load cycle, 0 before it compacts
-  double cycle_start_density;        // [kg/m^3]  is rho_0, but for the first cycle of Table 3.2
+  double density;                   // [kg/m^3]
+  double preconsolidation_density;  // [kg/m^3]  rho_0
+  double preconsolidation_stress;   // [Pa]      sigma_0
+  double peak_density;              // [kg/m^3]  highest of this load cycle, 0 before it compacts
+  double cycle_start_density;       // [kg/m^3]  is rho_0, but for the first cycle of Table 3.2
 };
 
 // How a load cycle hardens a volume, and from which stress it springs back.
@@ -38,8 +38,7 @@ enum class Hardening { kVirginCurve, kThesisTable };
 
 // Stress [Pa] at which a volume of the given density [kg/m^3] lies on the virgin curve (3.5).
 SOFTSOIL_HD inline double VirginStress(const Compaction& soil, double density) {
-  const double decades =
-      (density - soil.reference_density - soil.moisture_shift) / soil.index;
+  const double decades = (density - soil.reference_density - soil.moisture_shift) / soil.index;
   return soil.reference_stress * std::pow(10.0, decades);
 }
 

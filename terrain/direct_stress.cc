@@ -37,8 +37,8 @@ CosineSeries FitCosinePower(double nu) {
   for (int k = 0; k < n; ++k) {
     for (int point = 0; point < n; ++point) {
       const double angle = kPi * (point + 0.5) / n;
-      chebyshev[k] += 2.0 / n * std::pow(middle + half_span * std::cos(angle), nu / 2) *
-                      std::cos(k * angle);
+      chebyshev[k] +=
+          2.0 / n * std::pow(middle + half_span * std::cos(angle), nu / 2) * std::cos(k * angle);
     }
   }
   chebyshev[0] /= 2;
@@ -165,8 +165,7 @@ std::vector<ForceOnColumn> Reaching(const SurfaceLoad& load, const Law& law, dou
   std::vector<ForceOnColumn> forces;
   for (const NodeForce& f : load) {
     const double rx = x - f.x, ry = y - f.y;
-    const ForceOnColumn force{static_cast<float>(f.z - top),
-                              static_cast<float>(rx * rx + ry * ry),
+    const ForceOnColumn force{static_cast<float>(f.z - top), static_cast<float>(rx * rx + ry * ry),
                               static_cast<float>(-f.force_w.z()),
                               static_cast<float>(rx * f.force_w.x() + ry * f.force_w.y())};
     if (InStressCone(law.nu, force.r2, force.z - lowest)) forces.push_back(force);
@@ -182,9 +181,8 @@ void DirectStress::StressOfColumn(const ColumnBatch& batch, const SurfaceLoad& l
   for (std::size_t block = 0; block < heights.size(); ++block) {
     const int first = static_cast<int>(block) * kLanes;
     const int last = std::min(first + kLanes, batch.volumes) - 1;
-    const std::vector<ForceOnColumn> forces =
-        Reaching(load, law_, batch.x[column], batch.y[column], z[0],
-                 static_cast<float>(z[last] - z[0]));
+    const std::vector<ForceOnColumn> forces = Reaching(load, law_, batch.x[column], batch.y[column],
+                                                       z[0], static_cast<float>(z[last] - z[0]));
     Lanes sum, near;
     SumForces(law_, forces.data(), static_cast<int>(forces.size()), heights[block], &sum, &near);
     for (int k = first; k <= last; ++k) {

@@ -17,8 +17,7 @@ const GroundSettings& Checked(const GroundSettings& s) {
   require(s.volume_height >= 0.001 && s.volume_height <= 10, "volume_height", "0.001 to 10 m",
           s.volume_height);
   require(s.volumes >= 1 && s.volumes <= 1000, "volumes", "1 to 1000", s.volumes);
-  require(s.soil_clock >= 1e-4 && s.soil_clock <= 10, "soil_clock", "0.0001 to 10 s",
-          s.soil_clock);
+  require(s.soil_clock >= 1e-4 && s.soil_clock <= 10, "soil_clock", "0.0001 to 10 s", s.soil_clock);
   require(s.threads >= 1 && s.threads <= 1024, "threads", "1 to 1024", s.threads);
   return s;
 }
@@ -30,8 +29,7 @@ Ground::Ground(const Soil& soil, const GroundSettings& settings, UndisturbedHeig
     : soil_(soil),
       settings_(Checked(settings)),
       surface_(settings.grid_spacing, settings.mode, undisturbed),
-      columns_(soil, {settings.grid_spacing, settings.volume_height, settings.volumes},
-               undisturbed,
+      columns_(soil, {settings.grid_spacing, settings.volume_height, settings.volumes}, undisturbed,
                MakeDirectStress({soil.concentration_factor,
                                  kNearFieldSpacings * settings.grid_spacing, settings.threads})),
       clock_(settings.soil_clock),

@@ -21,7 +21,7 @@ struct GroundSettings {
   double soil_clock = 0.01;      // [s]  simulated time between soil updates
   bool sync = false;             // update in place at the tick, instead of in the background
   SurfaceMode mode = SurfaceMode::kFlow;
-  int threads = 1;               // of the stress field
+  int threads = 1;  // of the stress field
 };
 
 // Compaction work that a source has done.

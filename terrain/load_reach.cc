@@ -20,8 +20,8 @@ LoadReach::LoadReach(const SurfaceLoad& load, double concentration_factor) {
     print.x_max = std::max(print.x_max, f.x);
     print.y_min = std::min(print.y_min, f.y);
     print.y_max = std::max(print.y_max, f.y);
-    print.reach += per_vertical * std::abs(f.force_w.z()) +
-                   per_horizontal * f.force_w.head<2>().norm();
+    print.reach +=
+        per_vertical * std::abs(f.force_w.z()) + per_horizontal * f.force_w.head<2>().norm();
   }
 }
 

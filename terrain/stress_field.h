@@ -11,9 +11,9 @@ namespace softsoil {
 
 // Columns whose stress is asked for. Volumes are counted from the top down.
 struct ColumnBatch {
-  int volumes;                 // per column
-  std::vector<double> x, y;    // [m]  one per column
-  std::vector<double> z;       // [m]  centre of each volume, column by column
+  int volumes;                           // per column
+  std::vector<double> x, y;              // [m]  one per column
+  std::vector<double> z;                 // [m]  centre of each volume, column by column
   std::vector<double> surface_pressure;  // [Pa]  vertical load on the column's own node
 
   std::size_t columns() const { return x.size(); }

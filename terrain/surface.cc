@@ -29,9 +29,12 @@ SurfacePoint SurfacePatch::At(double x, double y) const {
   const std::size_t k = static_cast<std::size_t>(a) * nodes_y_ + b;
   const Bilinear height(&height_[k], &height_[k + nodes_y_], gx - a, gy - b, spacing_);
   const Bilinear sinkage(&sinkage_[k], &sinkage_[k + nodes_y_], gx - a, gy - b, spacing_);
-  return {height.value,   sinkage.value,
-          height.slope_x, height.slope_y,
-          height.slope_x + sinkage.slope_x, height.slope_y + sinkage.slope_y};
+  return {height.value,
+          sinkage.value,
+          height.slope_x,
+          height.slope_y,
+          height.slope_x + sinkage.slope_x,
+          height.slope_y + sinkage.slope_y};
 }
 
 bool SurfacePatch::Covers(double x, double y) const {

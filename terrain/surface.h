@@ -43,9 +43,9 @@ class SurfacePatch {
   GridNode first() const { return first_; }  // corner with the least i and j
   int nodes_x() const { return nodes_x_; }
   int nodes_y() const { return nodes_y_; }
-  double Height(int a, int b) const { return height_[a * nodes_y_ + b]; }   // [m] at first + (a, b)
+  double Height(int a, int b) const { return height_[a * nodes_y_ + b]; }  // [m] at first + (a, b)
   double Sinkage(int a, int b) const { return sinkage_[a * nodes_y_ + b]; }  // [m]
-  double highest() const { return highest_; }                               // [m]
+  double highest() const { return highest_; }                                // [m]
 
  private:
   friend class Surface;
@@ -63,9 +63,9 @@ class Surface {
 
   double spacing() const { return spacing_; }
   SurfaceMode mode() const { return mode_; }
-  double NodeHeight(GridNode node) const;    // [m]
-  double Height(double x, double y) const;   // [m]  bilinear
-  double Undisturbed(GridNode node) const;   // [m]
+  double NodeHeight(GridNode node) const;   // [m]
+  double Height(double x, double y) const;  // [m]  bilinear
+  double Undisturbed(GridNode node) const;  // [m]
 
   // Copies the nodes that surround the rectangle [m] into `patch`.
   void CopyPatch(double x_min, double x_max, double y_min, double y_max, SurfacePatch* patch) const;

@@ -17,9 +17,7 @@ struct GridNode {
 
 struct TileIndex {
   int i, j;
-  bool operator<(const TileIndex& other) const {
-    return i != other.i ? i < other.i : j < other.j;
-  }
+  bool operator<(const TileIndex& other) const { return i != other.i ? i < other.i : j < other.j; }
 };
 
 // Tile that a node lies in, and the node's place in it. Shifts and masks round down for negative
@@ -41,9 +39,7 @@ class TileMap {
     const auto it = tiles_.find(index);
     return it == tiles_.end() ? nullptr : it->second.get();
   }
-  Tile* Find(TileIndex index) {
-    return const_cast<Tile*>(std::as_const(*this).Find(index));
-  }
+  Tile* Find(TileIndex index) { return const_cast<Tile*>(std::as_const(*this).Find(index)); }
 
   // The tile, made by `make()` -> std::unique_ptr<Tile> if it is not there.
   template <class Make>

@@ -132,8 +132,8 @@ std::string XmlEntry::Text(const char* element, const char* name,
   const std::string text = Value(element, name);
   if (text.empty()) Refuse(Child(element), std::string(name) + " must not be empty");
   if (!allowed.empty() && std::find(allowed.begin(), allowed.end(), text) == allowed.end()) {
-    Refuse(Child(element), std::string(name) + " must be one of " + Listed(allowed) + ", got \"" +
-                               text + "\"");
+    Refuse(Child(element),
+           std::string(name) + " must be one of " + Listed(allowed) + ", got \"" + text + "\"");
   }
   return text;
 }
