@@ -6,6 +6,10 @@
 
 namespace softsoil {
 
+// Least cosine of the angle between the wheel radius and the ground's normal. A radius that runs
+// along the ground would make the penetration infinite.
+constexpr double kLeastDescent = 0.1;
+
 // A point of the tire surface at the ground.
 struct PressedPoint {
   double penetration;  // [m]  d: radial, of the undeformed tire below the surface, >= 0

@@ -5,9 +5,6 @@
 namespace softsoil {
 namespace {
 
-// The radius must come from above: a vertical column of soil meets the tire from below.
-constexpr double kLeastDescent = 0.1;
-
 // The tire above a grid node at `ground_w` whose surface lies `depth` [m] below the undisturbed
 // ground; false where the tire does not reach it. As the node sinks by u the penetration falls by
 // u cos(kappa).

@@ -2,19 +2,22 @@
 
 #include <limits>
 
+#include "contact/tire_nodes.h"
+
 namespace softsoil {
 
 const std::vector<Attribute<Tire>>& TireAttributes() {
   using R = Range;
   static const std::vector<Attribute<Tire>> table = {
-      {"shape", "radius", "m", 1, R::kPositive, "outer radius, unloaded",
+      {"shape", "radius", "m", 1, R::kTireSize, "outer radius, unloaded",
        [](Tire& t) -> double& { return t.shape.radius; }},
-      {"shape", "width", "m", 1, R::kPositive, "width of the tread",
+      {"shape", "width", "m", 1, R::kTireSize, "width of the tread",
        [](Tire& t) -> double& { return t.shape.width; }},
       {"spring", "coefficient", "Pa/m or Pa/m^0.5", 1, R::kPositive,
        "pressure per penetration (linear) or per its root (square_root)",
        [](Tire& t) -> double& { return t.spring.coefficient; }},
-      {"spring", "damping", "Pa s/m", 1, R::kNotNegative, "pressure per speed of penetration",
+      {"spring", "damping", "Pa s/m", 1, R::kNotNegative,
+       "pressure per speed at which the wheel nears the ground",
        [](Tire& t) -> double& { return t.damping; }},
       {"friction", "coefficient", "", 1, R::kPositive, "friction between tire and soil",
        [](Tire& t) -> double& { return t.soil_friction; }},
@@ -23,6 +26,23 @@ const std::vector<Attribute<Tire>>& TireAttributes() {
 }
 
 namespace {
+
+// A tire so wide or so strongly curved has no sensible cloud of nodes.
+void CheckShape(const TireShape& shape, const XmlEntry& entry) {
+  if (shape.width > kWidestPerRadius * shape.radius) {
+    entry.Refuse("width must be <= 10 radius = " + Shown(kWidestPerRadius * shape.radius) +
+                 " m, got " + Shown(shape.width));
+  }
+  if (shape.crown_radius < shape.width / 2) {
+    entry.Refuse("crown_radius must be >= width / 2 = " + Shown(shape.width / 2) + " m, got " +
+                 Shown(shape.crown_radius));
+  }
+  if (RadiusAt(shape, shape.width / 2) <= 0) {
+    entry.Refuse("radius must be > 0 m at the edge of the tread, got " +
+                 Shown(RadiusAt(shape, shape.width / 2)) + " from crown_radius " +
+                 Shown(shape.crown_radius) + " and width " + Shown(shape.width));
+  }
+}
 
 Tire ReadTire(XmlEntry& entry) {
   Tire tire{};
@@ -34,12 +54,9 @@ Tire ReadTire(XmlEntry& entry) {
                          : SpringForm::kSquareRoot;
   tire.shape.crown_radius = std::numeric_limits<double>::infinity();
   if (entry.Text("shape", "type", {"torus", "cylinder"}) == "torus") {
-    tire.shape.crown_radius = entry.Number("shape", "crown_radius", "m", Range::kPositive);
-    if (tire.shape.crown_radius < tire.shape.width / 2) {
-      entry.Refuse("crown_radius must be >= width / 2 = " + Shown(tire.shape.width / 2) +
-                   " m, got " + Shown(tire.shape.crown_radius));
-    }
+    tire.shape.crown_radius = entry.Number("shape", "crown_radius", "m", Range::kTireSize);
   }
+  CheckShape(tire.shape, entry);
   return tire;
 }
 

@@ -9,6 +9,8 @@
 
 namespace softsoil {
 
+constexpr double kWidestPerRadius = 10;  // [-]  of a tire's width
+
 // Torus, outer radius r at the middle of the tread; its cross-section is an arc of the crown
 // radius r_beta. A cylinder has an infinite crown radius. Madsen (2014) section 4.2.
 struct TireShape {
@@ -21,7 +23,7 @@ struct Tire {
   std::string name, description;
   TireShape shape;
   TireSpring spring;
-  double damping;        // [Pa s/m]  radial, >= 0
+  double damping;        // [Pa s/m]  pressure per speed at which the wheel nears the ground, >= 0
   double soil_friction;  // [-]  mu_s between tire and soil, > 0
 };
 

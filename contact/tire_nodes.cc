@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "terrain/point_load.h"
+#include "terrain/constants.h"
 
 namespace softsoil {
 namespace {

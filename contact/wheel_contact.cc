@@ -42,13 +42,16 @@ double Descent(const Vector3d& radial_w, double slope_x, double slope_y) {
   return slope_x * radial_w.x() + slope_y * radial_w.y() - radial_w.z();
 }
 
-// A radius that runs along the ground would make the penetration infinite.
-constexpr double kLeastDescent = 0.1;
-
-// Speed [m/s] at which the wheel as a whole approaches the undisturbed ground.
+// Speed [m/s] at which the wheel as a whole nears the undisturbed ground. The same for all nodes: a
+// node that merely rolls through the contact is not damped, or damping would resist rolling.
 double ClosingSpeed(const TirePose& pose, const SurfacePoint& ground) {
   return ground.undisturbed_x * pose.velocity_w.x() + ground.undisturbed_y * pose.velocity_w.y() -
          pose.velocity_w.z();
+}
+
+double ShearLead(double v_t, double v_b, double K) {
+  const double speed = std::hypot(v_t, v_b);
+  return speed * kShearLead > kLongestLead * K ? kLongestLead * K / speed : kShearLead;
 }
 
 }  // namespace
@@ -127,7 +130,7 @@ void WheelContact::Rub(const TirePose& pose, const Soil& soil, double h,
       pose.velocity_w + pose.angular_velocity_w.cross(contact->point_w - pose.centre_w);
   const double v_t = slip_w.dot(tangent_w), v_b = slip_w.dot(binormal_w), K = soil.shear.modulus;
   contact->mobilisation = Slip(mobilisation_[i], v_t, v_b, h, K);
-  const Mobilisation damped = Slip(contact->mobilisation, v_t, v_b, kShearLead, K);
+  const Mobilisation damped = Slip(contact->mobilisation, v_t, v_b, ShearLead(v_t, v_b, K), K);
   const double strength = ShearStrength(soil.shear, tire_.soil_friction, contact->pressure);
   contact->shear_force_w =
       -strength * contact->area * (damped.t * tangent_w + damped.b * binormal_w);

@@ -52,9 +52,10 @@ struct PatchForces {
 };
 
 // The shear stress is that of a moment later [s], as if the slip went on: a viscous share. Without
-// it a wheel that swings on a slope would go on swinging, and creep down. While driving it hardly
-// counts: at a slip velocity of 0.1 m/s it is half a millimetre, K about ten.
+// it a wheel that swings on a slope would go on swinging, and creep down. While driving it must
+// not count, so it looks no further ahead than a share [-] of the shear modulus K.
 constexpr double kShearLead = 0.005;
+constexpr double kLongestLead = 0.05;
 
 class WheelContact {
  public:

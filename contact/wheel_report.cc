@@ -10,16 +10,22 @@ using Eigen::Vector3d;
 
 constexpr double kSlowest = 0.01;  // [m/s]  below it slip is not asked for its direction
 
-// The W axes of a wheel.
+// The W axes of a wheel on the undisturbed ground below it.
 struct Axes {
-  explicit Axes(const Vector3d& spin_axis_w) {
-    const Vector3d ahead = spin_axis_w.cross(Vector3d::UnitZ());
+  Axes(const Vector3d& spin_axis_w, const Vector3d& ground_normal_w) : up(ground_normal_w) {
+    const Vector3d ahead = spin_axis_w.cross(up);
     const double length = ahead.norm();
-    forward = length > 1e-9 ? Vector3d(ahead / length) : Vector3d::UnitX();  // lies on its side
-    left = Vector3d::UnitZ().cross(forward);
+    forward = length > 1e-9 ? Vector3d(ahead / length) : up.unitOrthogonal();  // lies on its side
+    left = up.cross(forward);
   }
-  Vector3d forward, left;
+  Vector3d forward, left, up;
 };
+
+Vector3d GroundNormal(const TirePose& pose, const SurfacePatch& patch) {
+  if (patch.nodes_x() == 0) return Vector3d::UnitZ();  // nothing was evaluated yet
+  const SurfacePoint ground = patch.At(pose.centre_w.x(), pose.centre_w.y());
+  return Vector3d(-ground.undisturbed_x, -ground.undisturbed_y, 1).normalized();
+}
 
 double DeepestSurface(const TirePose& pose, const TireShape& shape, const SurfacePatch& patch) {
   const Vector3d axis = pose.frame_w.col(1);
@@ -39,11 +45,11 @@ double DeepestSurface(const TirePose& pose, const TireShape& shape, const Surfac
 
 WheelReport ReportOf(const Tire& tire, const TirePose& pose, const PatchForces& forces) {
   const Vector3d axis = pose.frame_w.col(1);
-  const Axes axes(axis);
+  const Axes axes(axis, GroundNormal(pose, forces.patch));
   WheelReport report{};
-  report.load = forces.wrench.force_w.z();
+  report.load = forces.wrench.force_w.dot(axes.up);
   report.rut_depth = DeepestSurface(pose, tire.shape, forces.patch);
-  report.camber = std::asin(std::clamp(axis.z(), -1.0, 1.0));
+  report.camber = std::asin(std::clamp(axis.dot(axes.up), -1.0, 1.0));
   report.spin = pose.angular_velocity_w.dot(axis);
 
   const double forward = pose.velocity_w.dot(axes.forward), left = pose.velocity_w.dot(axes.left);

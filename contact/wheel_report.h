@@ -1,9 +1,11 @@
 // What a wheel does, in the terms of vehicle and terramechanics engineers.
 //
 // Axes and signs, used here and nowhere else described: the W axes of TYDEX (Standard Tire
-// Interface), the z-up form of SAE J670. Origin below the wheel centre on the ground; x horizontal
-// in the plane of the wheel, pointing the way the vehicle faces; z up; y to the left. Forces and
-// torques are those of the ground on the wheel. A wheel that rolls forward has a positive spin.
+// Interface), the z-up form of SAE J670. They lie in the undisturbed ground below the wheel: z is
+// its normal, pointing up; x is in the plane of the wheel, pointing the way the vehicle faces; y
+// points to the left. On a slope the weight of the vehicle thus counts in no wheel's resistance.
+// Forces and torques are those of the ground on the wheel. A wheel that rolls forward has a
+// positive spin.
 //   slip ratio   (r w - v) / v with the unloaded radius r, spin w, forward speed v (4.8); positive
 //                when driven. Below 0.01 m/s that speed stands in for v.
 //   slip angle   atan2(v_y, |v_x|): positive when the wheel slides to the left; 0 below 0.01 m/s.
@@ -15,7 +17,7 @@
 namespace softsoil {
 
 struct WheelReport {
-  double load;               // [N]   vertical force
+  double load;               // [N]   along z
   double sinkage;            // [m]   deepest contact below the undisturbed ground
   double rut_depth;          // [m]   deepest surface below the wheel, of what stays
   double slip_ratio;         // [-]

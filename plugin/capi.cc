@@ -7,6 +7,7 @@
 #include "plugin/registry.h"
 #include "plugin/softsoil.h"
 #include "terrain/input_error.h"
+#include "terrain/limits.h"
 
 namespace {
 
@@ -39,10 +40,21 @@ void Require(const void* argument, const char* name) {
   if (argument == nullptr) throw InputError(std::string(name) + " must not be NULL");
 }
 
+// Grid nodes are numbered with 32 bits.
+void RequirePlace(const char* name, double value) {
+  constexpr softsoil::Limits kFarthest = {-1e6, 1e6};  // [m]
+  if (Contains(kFarthest, value)) return;
+  throw InputError(std::string(name) + " must be " + InWords(kFarthest) + " m, got " +
+                   softsoil::Shown(value));
+}
+
 // The soil of a mjData; whoever holds the result keeps it alive.
 std::shared_ptr<SoilBinding> SoilOf(const mjData* d) {
   Require(d, "mjData");
   const std::shared_ptr<SoilEntry> entry = Registry::Get().Find(d);
+  if (entry != nullptr && !entry->lost_because.empty()) {
+    throw std::runtime_error("this mjData has lost its soil: " + entry->lost_because);
+  }
   if (entry == nullptr || entry->soil == nullptr) {
     throw InputError("this mjData has no soil: call softsoil_attach() first");
   }
@@ -136,7 +148,8 @@ int softsoil_detach(const mjModel* m, mjData* d) {
 int softsoil_reset(const mjModel* m, mjData* d) {
   return Fenced([&] {
     Require(m, "mjModel");
-    SoilOf(d)->Reset();
+    SoilOf(d);
+    softsoil::ResetSoil(m, d);
   });
 }
 
@@ -162,6 +175,8 @@ int softsoil_wheel(const mjData* d, int wheel, softsoilWheel* result) {
 int softsoil_height(const mjData* d, double x, double y, double* height) {
   return Fenced([&] {
     Require(height, "height");
+    RequirePlace("x", x);
+    RequirePlace("y", y);
     *height = SoilOf(d)->soft_wheels().ground().surface().Height(x, y);
   });
 }

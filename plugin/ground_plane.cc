@@ -4,9 +4,8 @@
 #include <vector>
 
 #include "plugin/model_geometry.h"
-#include "plugin/words.h"
+#include "terrain/constants.h"
 #include "terrain/input_error.h"
-#include "terrain/point_load.h"
 
 namespace softsoil {
 namespace {

@@ -23,7 +23,7 @@ struct Host {
   void (*earlier_free)(void*) = nullptr;
   bool notices_free = false;
   std::atomic<bool> learns_models{false};
-  OnError on_error = OnError::kStop;
+  OnError on_error = OnError::kContinue;
 };
 Host host;
 
@@ -56,10 +56,11 @@ void Stop(const Failure& failure) {
   // Neither mju_error(), which waits for a key, nor exit(), which runs destructors beside threads
   // that still simulate.
   Say(failure.message);
-  std::fflush(nullptr);
+  std::fflush(stdout);  // not all files: another thread may be waiting for input
   std::_Exit(EXIT_FAILURE);
 }
 
+void OnPassive(const mjModel* m, mjData* d);
 void InstallContactFilter();
 
 std::unique_ptr<SoilBinding> MakeSoil(SoilPlan plan) {
@@ -67,15 +68,36 @@ std::unique_ptr<SoilBinding> MakeSoil(SoilPlan plan) {
   return std::make_unique<SoilBinding>(std::move(plan));
 }
 
+// A host that sets mjcb_passive after us should call ours. Whether it did is known in the end.
+void WarnIfPassedOver(const SoilBinding& soil, const mjData* d) {
+  if (*host.mujoco.passive == &OnPassive || !soil.WasPassedOver(d->time)) return;
+  Say("warning: the program has set an mjcb_passive of its own, which does not call the one that "
+      "was there: steps went by without soft soil");
+}
+
 // Soil that was there takes its forces along.
-void PutEntry(const mjModel* m, mjData* d, std::unique_ptr<SoilBinding> soil) {
+void PutEntry(const mjModel* m, mjData* d, std::unique_ptr<SoilBinding> soil,
+              const std::string& lost_because = "") {
   auto entry = std::make_shared<SoilEntry>();
   entry->fingerprint = FingerprintOf(m, d);
   entry->soil = std::move(soil);
+  entry->lost_because = lost_because;
   const std::shared_ptr<SoilEntry> old = Registry::Get().Find(d);
-  const bool is_same = old != nullptr && old->fingerprint == entry->fingerprint;
-  if (is_same && old->soil != nullptr) old->soil->RemoveForces(d);
+  if (old != nullptr && old->soil != nullptr && old->fingerprint == entry->fingerprint) {
+    old->soil->RemoveForces(d);
+    WarnIfPassedOver(*old->soil, d);
+  }
   Registry::Get().Put(d, std::move(entry));
+}
+
+// What becomes of a failure in the middle of a step.
+void Answer(const Failure& failure, const mjModel* m, mjData* d) {
+  if (host.on_error == OnError::kStop) {
+    Stop(failure);
+    return;
+  }
+  PutEntry(m, d, nullptr, failure.message);
+  Say(std::string(failure.message) + "; the model runs without soft soil");
 }
 
 // The soil that the model asks for, null if it asks for none.
@@ -97,11 +119,7 @@ std::shared_ptr<SoilEntry> EntryOf(const mjModel* m, const mjData* d, Failure* f
   try {
     entry->soil = SoilThatModelWants(m);
   } catch (const std::exception& error) {
-    if (host.on_error == OnError::kStop) {
-      Note(error, failure);
-    } else {
-      Say(std::string(error.what()) + "; the model runs without soft soil");
-    }
+    Note(error, failure);
   }
   return entry;
 }
@@ -126,7 +144,7 @@ void OnPassive(const mjModel* m, mjData* d) {
   if (host.earlier_passive != nullptr) host.earlier_passive(m, d);
   Failure failure;
   ApplySoil(m, d, &failure);
-  if (failure.happened) Stop(failure);
+  if (failure.happened) Answer(failure, m, d);
 }
 
 bool SoilDiscards(const mjModel* m, const mjData* d, int geom1, int geom2, Failure* failure) {
@@ -150,12 +168,15 @@ int OnContactFilter(const mjModel* m, mjData* d, int geom1, int geom2) {
   if (m->geom_type[geom1] != mjGEOM_PLANE && m->geom_type[geom2] != mjGEOM_PLANE) return 0;
   Failure failure;
   const bool discards = SoilDiscards(m, d, geom1, geom2, &failure);
-  if (failure.happened) Stop(failure);
+  if (failure.happened) Answer(failure, m, d);
   return discards ? 1 : 0;
 }
 
 void OnFree(void* memory) {
-  Registry::Get().Erase(memory);
+  const std::shared_ptr<SoilEntry> entry = Registry::Get().Erase(memory);
+  if (entry != nullptr && entry->soil != nullptr) {
+    WarnIfPassedOver(*entry->soil, static_cast<const mjData*>(memory));
+  }
   if (host.earlier_free != nullptr) {
     host.earlier_free(memory);
   } else {
@@ -211,6 +232,15 @@ void LearnModels(OnError on_error) {
 
 void GiveSoil(const mjModel* m, mjData* d, SoilPlan plan) {
   PutEntry(m, d, MakeSoil(std::move(plan)));
+}
+
+void ResetSoil(const mjModel* m, mjData* d) {
+  const std::shared_ptr<SoilEntry> entry = Registry::Get().Find(d);
+  const bool is_known = entry != nullptr && entry->soil != nullptr;
+  if (!is_known || !(entry->fingerprint == FingerprintOf(m, d))) {
+    throw InputError("this mjData has no soil for this mjModel: call softsoil_attach() first");
+  }
+  entry->soil->Reset(d);
 }
 
 void TakeSoil(const mjModel* m, mjData* d) { PutEntry(m, d, nullptr); }

@@ -13,8 +13,9 @@
 
 namespace softsoil {
 
-// What to do when a model asks for soil and it cannot be made: end the program (by its own
-// mju_user_error if it has set one), or go on without soil.
+// What to do when a model asks for soil and it cannot be made, or when soil fails during a step:
+// end the program (by its own mju_user_error if it has set one), or say so and go on without soil.
+// A program that attaches soil by itself goes on, and asks the C API.
 enum class OnError { kStop, kContinue };
 
 // Installs mjcb_passive, and a notice of freed memory by which a deleted mjData gives its soil
@@ -27,6 +28,9 @@ void LearnModels(OnError on_error);
 
 // Gives a mjData the soil of a plan, in place of one it may have.
 void GiveSoil(const mjModel* m, mjData* d, SoilPlan plan);
+
+// As after GiveSoil. Throws InputError if the mjData has no soil, or has it for another model.
+void ResetSoil(const mjModel* m, mjData* d);
 
 // From now on the mjData goes without soil.
 void TakeSoil(const mjModel* m, mjData* d);

@@ -3,8 +3,9 @@
 // Some hosts clear the rows before every step, others never do, and mjv_applyPerturbForce writes
 // over a row. A component that reads as we left it was not touched: the host's part of it is what
 // it was. One that reads otherwise was written by the host, and what it reads is the host's part.
-// Nothing is ever subtracted, so nothing drifts. One thing cannot be told apart: a host that adds
-// to a row it has not cleared.
+// Nothing is ever subtracted, so nothing drifts. Two things cannot be told apart and count as the
+// host's part until it clears the row: what a host adds to a row it has not cleared takes our share
+// along, and so does a row that mj_copyData brings from another mjData with soil.
 #pragma once
 
 #include <array>

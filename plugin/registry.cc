@@ -40,13 +40,13 @@ void Registry::Put(const mjData* d, std::shared_ptr<SoilEntry> entry) {
   std::swap(entries_[d], entry);  // the old one dies after the lock is released
 }
 
-void Registry::Erase(const void* d) {
-  std::shared_ptr<SoilEntry> erased;
+std::shared_ptr<SoilEntry> Registry::Erase(const void* d) {
   const std::lock_guard<std::mutex> lock(mutex_);
   const auto it = entries_.find(d);
-  if (it == entries_.end()) return;
-  erased = std::move(it->second);
+  if (it == entries_.end()) return nullptr;
+  std::shared_ptr<SoilEntry> erased = std::move(it->second);
   entries_.erase(it);
+  return erased;
 }
 
 }  // namespace softsoil

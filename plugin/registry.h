@@ -28,6 +28,7 @@ Fingerprint FingerprintOf(const mjModel* m, const mjData* d);
 struct SoilEntry {
   Fingerprint fingerprint;
   std::unique_ptr<SoilBinding> soil;  // null: this mjData goes without
+  std::string lost_because;           // of soil that failed; else empty
 };
 
 // For all threads. An entry is used by the thread that steps its mjData, without any lock.
@@ -40,8 +41,8 @@ class Registry {
   std::shared_ptr<SoilEntry> Find(const mjData* d) const;
   // In place of the one that was there.
   void Put(const mjData* d, std::shared_ptr<SoilEntry> entry);
-  // Any address will do.
-  void Erase(const void* d);
+  // Takes the entry out, null if there is none. Any address will do.
+  std::shared_ptr<SoilEntry> Erase(const void* d);
 
  private:
   mutable std::mutex mutex_;

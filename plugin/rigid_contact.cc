@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "plugin/model_geometry.h"
-#include "plugin/words.h"
+#include "terrain/input_error.h"
 
 namespace softsoil {
 namespace {

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 #include <cstring>
 #include <set>
 #include <thread>
@@ -15,7 +14,6 @@ namespace softsoil {
 namespace {
 
 constexpr char kPrefix[] = "softsoil_";
-constexpr double kMostWhole = 1e6;  // no count in the table makes sense beyond
 
 const char* ElementOf(SettingKind kind) {
   switch (kind) {
@@ -41,12 +39,11 @@ const Setting& Find(const std::string& name, const std::string& prefix) {
 
 void CheckNumber(const Setting& setting, double value) {
   const std::string unit = *setting.unit ? std::string(" ") + setting.unit : "";
-  if (!Contains(setting.range, value)) {
-    throw InputError("must be " + InWords(setting.range) + unit + ", got " + Shown(value));
+  if (!Contains(setting.limits, value)) {
+    throw InputError("must be " + InWords(setting.limits) + unit + ", got " + Shown(value));
   }
-  const bool whole = value == std::floor(value) && value <= kMostWhole;
-  if (setting.kind == SettingKind::kWholeNumber && !whole) {
-    throw InputError("must be a whole number up to " + Shown(kMostWhole) + ", got " + Shown(value));
+  if (setting.kind == SettingKind::kWholeNumber && value != std::floor(value)) {
+    throw InputError("must be a whole number, got " + Shown(value));
   }
 }
 
@@ -59,16 +56,6 @@ void Apply(const Setting& setting, const SettingValue& value, Settings* settings
     throw InputError("must name a body");
   }
   setting.set(*settings, value);
-}
-
-// Calls apply(); puts the place before the message of what it throws.
-template <class Apply>
-void At(const std::string& place, const Apply& apply) {
-  try {
-    apply();
-  } catch (const InputError& error) {
-    throw InputError(place + ": " + error.what());
-  }
 }
 
 // One pass over the <text>, <numeric> or <tuple> elements of a model.
@@ -125,16 +112,19 @@ SettingValue Tuple(const mjModel* m, int i) {
   return value;
 }
 
-double ParseNumber(const std::string& text) {
-  char* end = nullptr;
-  const double number = std::strtod(text.c_str(), &end);
-  if (text.empty() || *end != '\0') throw InputError("must be a number, got \"" + text + "\"");
+double Number(const std::string& text) {
+  double number = 0;
+  if (!ParseNumber(text, &number)) {
+    throw InputError("must be a finite number, got \"" + text + "\"");
+  }
   return number;
 }
 
 Settings Defaults() {
   Settings settings;
-  settings.terrain.threads = std::max(1u, std::thread::hardware_concurrency());
+  const double processors = std::thread::hardware_concurrency();
+  settings.terrain.threads =
+      static_cast<int>(std::clamp(processors, kThreadsLimits.least, kThreadsLimits.most));
   return settings;
 }
 
@@ -160,7 +150,7 @@ void Override(const std::string& text, Settings* settings) {
       if (!given.insert(key).second) throw InputError("is given twice");
       SettingValue value;
       value.text = entry.substr(equals + 1);
-      if (IsNumber(setting.kind)) value.number = ParseNumber(value.text);
+      if (IsNumber(setting.kind)) value.number = Number(value.text);
       if (setting.kind == SettingKind::kBodies) value.names = Words(value.text, ",");
       Apply(setting, value, settings);
     });

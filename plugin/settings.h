@@ -15,8 +15,8 @@
 #include <string>
 #include <vector>
 
-#include "terrain/attribute.h"
 #include "terrain/ground.h"
+#include "terrain/limits.h"
 
 namespace softsoil {
 
@@ -48,7 +48,7 @@ enum class SettingKind { kText, kNumber, kWholeNumber, kBodies };
 struct Setting {
   const char* name;      // in a model: softsoil_<name>
   SettingKind kind;      // <text>, <numeric>, <numeric>, <tuple>
-  Range range;           // of numbers
+  Limits limits;         // of numbers
   const char* unit;      // of numbers
   const char* fallback;  // in words
   const char* meaning;

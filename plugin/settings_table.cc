@@ -10,6 +10,7 @@ namespace {
 using V = SettingValue;
 constexpr SettingKind kText = SettingKind::kText, kNumber = SettingKind::kNumber,
                       kWholeNumber = SettingKind::kWholeNumber, kBodies = SettingKind::kBodies;
+constexpr Limits kNoLimits = {};  // of what is no number
 
 // True for the second of two words, false for the first; throws for any other.
 bool Choose(const std::string& text, const char* first, const char* second) {
@@ -18,10 +19,17 @@ bool Choose(const std::string& text, const char* first, const char* second) {
   throw InputError("must be " + std::string(first) + " or " + second + ", got \"" + text + "\"");
 }
 
+// The entries of a list, at least one.
+std::vector<std::string> Entries(const std::string& text) {
+  std::vector<std::string> entries = Words(text, " \t\n,");
+  if (entries.empty()) throw InputError("must name something, got \"" + text + "\"");
+  return entries;
+}
+
 TireNames ParseTires(const std::string& text) {
   TireNames tires;
   bool for_all_given = false;
-  for (const std::string& entry : Words(text, " \t\n,")) {
+  for (const std::string& entry : Entries(text)) {
     const auto equals = entry.find('=');
     const std::string body = equals == std::string::npos ? "" : entry.substr(0, equals);
     const std::string name = equals == std::string::npos ? entry : entry.substr(equals + 1);
@@ -41,45 +49,46 @@ TireNames ParseTires(const std::string& text) {
 
 const std::vector<Setting>& SettingTable() {
   static const std::vector<Setting> table = {
-      {"soil", kText, Range::kAny, "", "none: no soft soil", "soil by its name in the catalogue",
+      {"soil", kText, kNoLimits, "", "none: no soft soil", "soil by its name in the catalogue",
        [](Settings& s, const V& v) { s.soil = v.text; }},
-      {"tire", kText, Range::kAny, "", kAutoTire,
+      {"tire", kText, kNoLimits, "", kAutoTire,
        "tire of all wheels by its name in the catalogue, BODY=TIRE entries, or both; auto: a "
        "stiff tire of the geom's size",
        [](Settings& s, const V& v) { s.tires = ParseTires(v.text); }},
-      {"ground", kText, Range::kAny, "", "the only plane of the world",
+      {"ground", kText, kNoLimits, "", "the only plane of the world",
        "name of the plane geom that is the undisturbed ground",
        [](Settings& s, const V& v) { s.ground = v.text; }},
-      {"wheels", kBodies, Range::kAny, "", "found by their geoms and hinges", "bodies with a tire",
+      {"wheels", kBodies, kNoLimits, "", "found by their geoms and hinges", "bodies with a tire",
        [](Settings& s, const V& v) { s.wheels = v.names; }},
-      {"mode", kText, Range::kAny, "", "flow",
+      {"mode", kText, kNoLimits, "", "flow",
        "how the surface sinks: flow, or compaction alone as in the thesis",
        [](Settings& s, const V& v) {
          s.terrain.mode =
              Choose(v.text, "flow", "compaction") ? SurfaceMode::kCompaction : SurfaceMode::kFlow;
        }},
-      {"rigid_contact", kText, Range::kAny, "", "warn",
+      {"rigid_contact", kText, kNoLimits, "", "warn",
        "what to do if wheels also touch the rigid plane: warn or remove",
        [](Settings& s, const V& v) { s.remove_rigid_contact = Choose(v.text, "warn", "remove"); }},
-      {"soil_file", kText, Range::kAny, "", "none", "XML files with more soils",
-       [](Settings& s, const V& v) { s.soil_files = Words(v.text, " \t\n,"); }},
-      {"tire_file", kText, Range::kAny, "", "none", "XML files with more tires",
-       [](Settings& s, const V& v) { s.tire_files = Words(v.text, " \t\n,"); }},
-      {"grid_spacing", kNumber, Range::kPositive, "m", "0.025", "spacing of the soil columns",
+      {"soil_file", kText, kNoLimits, "", "none", "XML files with more soils",
+       [](Settings& s, const V& v) { s.soil_files = Entries(v.text); }},
+      {"tire_file", kText, kNoLimits, "", "none", "XML files with more tires",
+       [](Settings& s, const V& v) { s.tire_files = Entries(v.text); }},
+      {"grid_spacing", kNumber, kGridSpacingLimits, "m", "0.025", "spacing of the soil columns",
        [](Settings& s, const V& v) { s.terrain.grid_spacing = v.number; }},
-      {"volume_height", kNumber, Range::kPositive, "m", "0.025", "height of a soil volume",
+      {"volume_height", kNumber, kVolumeHeightLimits, "m", "0.025", "height of a soil volume",
        [](Settings& s, const V& v) { s.terrain.volume_height = v.number; }},
-      {"volumes", kWholeNumber, Range::kPositive, "", "30", "soil volumes in a column",
+      {"volumes", kWholeNumber, kVolumesLimits, "", "30", "soil volumes in a column",
        [](Settings& s, const V& v) { s.terrain.volumes = static_cast<int>(v.number); }},
-      {"clock", kNumber, Range::kPositive, "s", "0.01", "simulated time between soil updates",
+      {"clock", kNumber, kSoilClockLimits, "s", "0.01", "simulated time between soil updates",
        [](Settings& s, const V& v) { s.terrain.soil_clock = v.number; }},
-      {"sync", kWholeNumber, Range::kNotNegative, "", "0",
+      {"sync",
+       kWholeNumber,
+       {0, 1},
+       "",
+       "0",
        "1: update the soil in place instead of in the background",
-       [](Settings& s, const V& v) {
-         if (v.number > 1) throw InputError("must be 0 or 1, got " + Shown(v.number));
-         s.terrain.sync = v.number == 1;
-       }},
-      {"threads", kWholeNumber, Range::kPositive, "", "one per processor",
+       [](Settings& s, const V& v) { s.terrain.sync = v.number == 1; }},
+      {"threads", kWholeNumber, kThreadsLimits, "", "one per processor",
        "threads of the soil update; no influence on results",
        [](Settings& s, const V& v) { s.terrain.threads = static_cast<int>(v.number); }},
   };

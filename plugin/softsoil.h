@@ -10,6 +10,15 @@
 //
 // Functions that return int return 0, or -1 and a message in softsoil_error(). SI units, world
 // axes. A mjData must be used by one thread at a time, as in MuJoCo; different ones in parallel.
+//
+// If soil fails during a step, the library says so once on stderr, takes its share out of
+// xfrc_applied and the simulation goes on without soft soil: softsoil_wheel_count() is -1 from then
+// on and softsoil_error() after it tells why. In a preloaded program SOFTSOIL_ON_ERROR=stop, which
+// is the default there, ends the program instead.
+//
+// Forces come with MuJoCo's passive forces. A mjcb_passive that the program sets after attaching
+// must call the one that was there. With mjDSBL_PASSIVE nothing is asked of the soil, and the last
+// force stays in xfrc_applied until softsoil_detach() or softsoil_reset().
 #ifndef SOFTSOIL_H_
 #define SOFTSOIL_H_
 
@@ -79,16 +88,17 @@ SOFTSOIL_API int softsoil_attach(const mjModel* m, mjData* d, const char* settin
 // Takes the soil away and its share out of xfrc_applied. Before mj_deleteData.
 SOFTSOIL_API int softsoil_detach(const mjModel* m, mjData* d);
 
-// Undisturbed ground again, as after attaching.
+// As after attaching: undisturbed ground, our share out of xfrc_applied, results at rest until the
+// next step.
 SOFTSOIL_API int softsoil_reset(const mjModel* m, mjData* d);
 
-// Number of wheels; -1 if the mjData has no soil.
+// Number of wheels; -1 if the mjData has no soil, or has lost it.
 SOFTSOIL_API int softsoil_wheel_count(const mjData* d);
 
 // Results of the last evaluation of a wheel, 0 to count - 1.
 SOFTSOIL_API int softsoil_wheel(const mjData* d, int wheel, softsoilWheel* result);
 
-// Height [m] of the surface at x, y [m].
+// Height [m] of the surface at x, y [m], each -1e6 to 1e6.
 SOFTSOIL_API int softsoil_height(const mjData* d, double x, double y, double* height);
 
 // Size and totals of the ground. Waits for the soil job in flight.

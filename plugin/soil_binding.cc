@@ -52,24 +52,28 @@ WrenchRow RowOf(const Wrench& wrench) {
   return {f.x(), f.y(), f.z(), t.x(), t.y(), t.z()};
 }
 
-std::unique_ptr<SoftWheels> MakeSoftWheels(const SoilPlan& plan) {
-  return std::make_unique<SoftWheels>(plan.soil, plan.terrain, plan.ground.height, plan.tires);
-}
-
 }  // namespace
 
-SoilBinding::SoilBinding(SoilPlan plan)
-    : plan_(std::move(plan)), soft_wheels_(MakeSoftWheels(plan_)), shares_(plan_.wheels.size()) {
+SoilBinding::SoilBinding(SoilPlan plan) : plan_(std::move(plan)), shares_(plan_.wheels.size()) {
   for (const Wheel& wheel : plan_.wheels) tire_frame_b_.push_back(TireFrame(wheel.axis_b));
+  StartAfresh();
+}
+
+void SoilBinding::StartAfresh() {
+  soft_wheels_ =
+      std::make_unique<SoftWheels>(plan_.soil, plan_.terrain, plan_.ground.height, plan_.tires);
   for (Evaluation* evaluation : {&now_, &pending_}) {
     evaluation->poses.assign(plan_.wheels.size(), AtRest());
-    evaluation->forces.resize(plan_.wheels.size());
+    evaluation->forces.assign(plan_.wheels.size(), PatchForces{});
   }
+  latest_ = &pending_;
+  is_pending_ = false;
+  warned_of_depth_ = false;
 }
 
 void SoilBinding::OnPassive(const mjModel* m, mjData* d) {
   const StepEvent event = watch_.See(d->time, m->opt.timestep);
-  LetHistoryPass(event);
+  LetHistoryPass(event, d->time);
   try {
     Evaluate(m, d);
   } catch (const std::runtime_error& error) {
@@ -87,12 +91,17 @@ void SoilBinding::OnPassive(const mjModel* m, mjData* d) {
   is_pending_ = true;
 }
 
-void SoilBinding::LetHistoryPass(StepEvent event) {
+void SoilBinding::LetHistoryPass(StepEvent event, double time) {
   switch (event) {
     case StepEvent::kNextStep:
       if (is_pending_) Commit();
       break;
-    case StepEvent::kBack: Reset(); break;
+    case StepEvent::kBack:
+      if (time > 0) {
+        Say("warning: time ran backwards, but not to 0 s: the ground is undisturbed again");
+      }
+      StartAfresh();
+      break;
     case StepEvent::kJump:
       Say("time leapt ahead by more than a step: the ground stays as it is, slip is forgotten");
       soft_wheels_->ForgetSlip();
@@ -140,9 +149,10 @@ void SoilBinding::RemoveForces(mjData* d) {
   }
 }
 
-void SoilBinding::Reset() {
-  soft_wheels_ = MakeSoftWheels(plan_);
-  is_pending_ = false;
+void SoilBinding::Reset(mjData* d) {
+  RemoveForces(d);
+  watch_ = StepWatch{};
+  StartAfresh();
 }
 
 bool SoilBinding::RemovesContact(int geom1, int geom2) const {

@@ -16,6 +16,8 @@ namespace softsoil {
 class SoilBinding {
  public:
   explicit SoilBinding(SoilPlan plan);
+  SoilBinding(const SoilBinding&) = delete;  // latest_ points into the object
+  SoilBinding& operator=(const SoilBinding&) = delete;
 
   // Adds the forces of the soil on the wheels to xfrc_applied, and lets history pass if a time
   // step was accepted since the last call. If a pose is not finite, as in a simulation that
@@ -25,8 +27,11 @@ class SoilBinding {
   // Takes the soil's share out of xfrc_applied.
   void RemoveForces(mjData* d);
 
-  // Undisturbed ground.
-  void Reset();
+  // As just made: undisturbed ground, wheels at rest, no forces in xfrc_applied.
+  void Reset(mjData* d);
+
+  // Whether steps went by, until `time` [s], at which MuJoCo did not ask for forces.
+  bool WasPassedOver(double time) const { return watch_.HasMissed(time); }
 
   // Whether the contact of two geoms is to be discarded.
   bool RemovesContact(int geom1, int geom2) const;
@@ -46,7 +51,8 @@ class SoilBinding {
     double h = 0;  // [s]
   };
 
-  void LetHistoryPass(StepEvent event);
+  void StartAfresh();
+  void LetHistoryPass(StepEvent event, double time);
   void Commit();
   void Evaluate(const mjModel* m, const mjData* d);
   void WriteForces(mjData* d);

@@ -1,6 +1,7 @@
 #include "plugin/soil_plan.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <limits>
 #include <string>
@@ -19,7 +20,7 @@ Soil ChooseSoil(const Settings& settings) {
   Catalogue<Soil> catalogue = SoilCatalogue();
   catalogue.AddFolder(ModelsFolder() + "/soils");
   for (const std::string& file : settings.soil_files) catalogue.AddFile(file);
-  return catalogue.Find(settings.soil);
+  return At("softsoil_soil", [&] { return catalogue.Find(settings.soil); });
 }
 
 void SayWheels(const SoilPlan& plan, bool named) {
@@ -72,9 +73,21 @@ void WarnOfGrid(const SoilPlan& plan) {
       " m; make it finer");
 }
 
+void RequireUsable(const mjOption& option) {
+  if ((option.disableflags & mjDSBL_PASSIVE) != 0) {
+    throw InputError(
+        "<option> <flag passive>: must be \"enable\", got \"disable\"; MuJoCo then does not ask "
+        "for the forces of the soil");
+  }
+  if (!(option.timestep > 0) || !std::isfinite(option.timestep)) {
+    throw InputError("<option> timestep: must be > 0 s, got " + Shown(option.timestep));
+  }
+}
+
 }  // namespace
 
 SoilPlan MakePlan(const mjModel* m, const Settings& settings) {
+  RequireUsable(m->opt);
   SoilPlan plan;
   plan.soil = ChooseSoil(settings);
   plan.terrain = settings.terrain;

@@ -13,7 +13,7 @@ enum class StepEvent {
   kNextStep,     // the pending evaluation is accepted; this one is pending now
   kSameInstant,  // this evaluation replaces the pending one
   kTrial,        // answer it and forget it
-  kBack,         // time ran backwards: the host has reset the simulation
+  kBack,         // time ran backwards: as when the host has reset the simulation
   kJump,         // time leapt ahead: what lies between is unknown
 };
 
@@ -28,6 +28,9 @@ class StepWatch {
     h_ = h;
     return event;
   }
+
+  // Whether steps up to `time` [s] went by without a question.
+  bool HasMissed(double time) const { return seen_ ? EventAt(time) == StepEvent::kJump : time > 0; }
 
  private:
   // Times are sums of many steps, hence the wide bands.

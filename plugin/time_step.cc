@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "contact/flat_plate.h"
 #include "contact/wheel_contact.h"
@@ -35,6 +36,7 @@ StaticContact OnRigidPlate(const Tire& tire, double load) {
 }  // namespace
 
 double LongestStep(const Oscillator& o) {
+  if (!std::isfinite(o.mass)) return std::numeric_limits<double>::infinity();  // held fast
   return 4 * o.mass / (o.damping + std::sqrt(o.damping * o.damping + 4 * o.stiffness * o.mass));
 }
 

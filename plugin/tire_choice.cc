@@ -8,7 +8,6 @@
 #include "contact/flat_plate.h"
 #include "plugin/log.h"
 #include "plugin/models_folder.h"
-#include "plugin/words.h"
 #include "terrain/input_error.h"
 
 namespace softsoil {
@@ -73,9 +72,14 @@ Tire MakeAutoTire(const mjModel* m, const std::vector<Wheel>& wheels, const Whee
     throw InputError("softsoil_tire: wheel \"" + wheel.name +
                      "\" has no round geom, so its tire must be named");
   }
+  if (wheel.half_width > kWidestPerRadius / 2 * wheel.radius) {
+    throw InputError("softsoil_tire: wheel \"" + wheel.name + "\" has the half width " +
+                     Shown(wheel.half_width) + " m, more than 5 times its radius " +
+                     Shown(wheel.radius) + " m: it is no wheel, or its tire must be named");
+  }
   Tire tire = AutoTire(wheel, StaticLoad(m, wheels, wheel));
-  Say("wheel \"" + wheel.name + "\" has no tire named: it gets a stiff one of its geom's size, " +
-      "radius " + Shown(tire.shape.radius) + " m, width " + Shown(tire.shape.width) + " m");
+  Say("no tire is named: a stiff one of the geom's size, radius " + Shown(tire.shape.radius) +
+      " m, width " + Shown(tire.shape.width) + " m");
   return tire;
 }
 
@@ -119,7 +123,7 @@ std::vector<Tire> ChooseTires(const mjModel* m, const std::vector<Wheel>& wheels
     if (name == kAutoTire) {
       tires.push_back(MakeAutoTire(m, wheels, wheel));
     } else {
-      tires.push_back(catalogue.Find(name));
+      tires.push_back(At("softsoil_tire", [&] { return catalogue.Find(name); }));
       WarnOfRadius(wheel, tires.back());
     }
   }

@@ -8,8 +8,8 @@
 #include <set>
 
 #include "plugin/model_geometry.h"
+#include "terrain/constants.h"
 #include "terrain/input_error.h"
-#include "terrain/point_load.h"
 
 namespace softsoil {
 namespace {
@@ -180,8 +180,10 @@ std::vector<Wheel> FindAll(const mjModel* m) {
 }
 
 bool HasMesh(const mjModel* m, int body) {
-  const int* type = m->geom_type + m->body_geomadr[body];
-  return std::find(type, type + m->body_geomnum[body], mjGEOM_MESH) != type + m->body_geomnum[body];
+  for (int k = 0; k < m->body_geomnum[body]; ++k) {
+    if (m->geom_type[m->body_geomadr[body] + k] == mjGEOM_MESH) return true;
+  }
+  return false;
 }
 
 [[noreturn]] void Refuse(const std::string& rule) { throw InputError("softsoil_wheels: " + rule); }

@@ -1,4 +1,4 @@
-// Lists in texts.
+// Splits texts.
 #pragma once
 
 #include <string>
@@ -15,13 +15,6 @@ inline std::vector<std::string> Words(const std::string& text, const char* separ
     if (!word.empty()) words.push_back(word);
   }
   return words;
-}
-
-// "a, b, c"
-inline std::string Listed(const std::vector<std::string>& words) {
-  std::string list;
-  for (const std::string& word : words) list += (list.empty() ? "" : ", ") + word;
-  return list;
 }
 
 }  // namespace softsoil

@@ -9,16 +9,16 @@ namespace {
 constexpr double kNearFieldSpacings = 1.25;
 
 const GroundSettings& Checked(const GroundSettings& s) {
-  const auto require = [](bool holds, const char* name, const char* rule, double value) {
-    if (!holds) throw InputError(std::string(name) + " must be " + rule + ", got " + Shown(value));
+  const auto require = [](const char* name, double value, Limits limits, const char* unit) {
+    if (Contains(limits, value)) return;
+    throw InputError(std::string(name) + " must be " + InWords(limits) + unit + ", got " +
+                     Shown(value));
   };
-  require(s.grid_spacing >= 0.001 && s.grid_spacing <= 10, "grid_spacing", "0.001 to 10 m",
-          s.grid_spacing);
-  require(s.volume_height >= 0.001 && s.volume_height <= 10, "volume_height", "0.001 to 10 m",
-          s.volume_height);
-  require(s.volumes >= 1 && s.volumes <= 1000, "volumes", "1 to 1000", s.volumes);
-  require(s.soil_clock >= 1e-4 && s.soil_clock <= 10, "soil_clock", "0.0001 to 10 s", s.soil_clock);
-  require(s.threads >= 1 && s.threads <= 1024, "threads", "1 to 1024", s.threads);
+  require("grid_spacing", s.grid_spacing, kGridSpacingLimits, " m");
+  require("volume_height", s.volume_height, kVolumeHeightLimits, " m");
+  require("volumes", s.volumes, kVolumesLimits, "");
+  require("soil_clock", s.soil_clock, kSoilClockLimits, " s");
+  require("threads", s.threads, kThreadsLimits, "");
   return s;
 }
 

@@ -7,12 +7,19 @@
 #include <vector>
 
 #include "terrain/columns.h"
+#include "terrain/limits.h"
 #include "terrain/soil.h"
 #include "terrain/soil_clock.h"
 #include "terrain/surface.h"
 #include "terrain/surface_load.h"
 
 namespace softsoil {
+
+constexpr Limits kGridSpacingLimits = {0.001, 10};   // [m]
+constexpr Limits kVolumeHeightLimits = {0.001, 10};  // [m]
+constexpr Limits kVolumesLimits = {1, 1000};         // [-]
+constexpr Limits kSoilClockLimits = {0.0001, 10};    // [s]
+constexpr Limits kThreadsLimits = {1, 1024};         // [-]
 
 struct GroundSettings {
   double grid_spacing = 0.025;   // [m]

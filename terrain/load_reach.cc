@@ -8,14 +8,16 @@
 
 namespace softsoil {
 
-LoadReach::LoadReach(const SurfaceLoad& load, double concentration_factor) {
+LoadReach::LoadReach(const SurfaceLoad& load, double concentration_factor) : load_(load) {
   const double per_vertical = FroehlichReach(concentration_factor);
   const double per_horizontal = CerrutiReach();
-  for (const NodeForce& f : load) {
+  for (std::size_t k = 0; k < load.size(); ++k) {
+    const NodeForce& f = load[k];
     if (footprints_.empty() || footprints_.back().source != f.source) {
-      footprints_.push_back({f.source, f.x, f.x, f.y, f.y, 0});
+      footprints_.push_back({f.source, f.x, f.x, f.y, f.y, 0, k, k});
     }
     Footprint& print = footprints_.back();
+    print.last = k;
     print.x_min = std::min(print.x_min, f.x);
     print.x_max = std::max(print.x_max, f.x);
     print.y_min = std::min(print.y_min, f.y);
@@ -28,17 +30,36 @@ LoadReach::LoadReach(const SurfaceLoad& load, double concentration_factor) {
 LoadReach::Bound LoadReach::At(double x, double y) const {
   Bound bound{0, -1};
   double most = 0;
+  int covering = 0;
   for (const Footprint& f : footprints_) {
     const double dx = std::max({f.x_min - x, x - f.x_max, 0.0});
     const double dy = std::max({f.y_min - y, y - f.y_max, 0.0});
     const double distance2 = dx * dx + dy * dy;
+    if (distance2 <= 0) ++covering;
     const double share =
         distance2 > 0 ? f.reach / distance2 : std::numeric_limits<double>::infinity();
     if (share > most) bound.source = f.source;
     most = std::max(most, share);
     bound.stress += share;
   }
+  if (covering > 1) bound.source = PressingMost(x, y);
   return bound;
+}
+
+int LoadReach::PressingMost(double x, double y) const {
+  constexpr double kLeastDistance2 = 1e-4;  // [m^2]  a force right above counts, but not infinitely
+  int source = -1;
+  double most = 0;
+  for (const Footprint& print : footprints_) {
+    double press = 0;  // [N/m^2]  up to a factor
+    for (std::size_t k = print.first; k <= print.last; ++k) {
+      const double dx = load_[k].x - x, dy = load_[k].y - y;
+      press += load_[k].force_w.norm() / (dx * dx + dy * dy + kLeastDistance2);
+    }
+    if (press > most) source = print.source;
+    most = std::max(most, press);
+  }
+  return source;
 }
 
 double LoadReach::Radius(double stress) const {

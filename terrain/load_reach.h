@@ -10,11 +10,11 @@ namespace softsoil {
 
 class LoadReach {
  public:
-  // concentration_factor nu [-].
+  // concentration_factor nu [-]. The load must outlive the object.
   LoadReach(const SurfaceLoad& load, double concentration_factor);
 
-  // Bound [Pa] on the vertical stress anywhere below x, y [m], and the source that gives most of
-  // it (-1 without load). Infinite inside the rectangle that a source covers.
+  // Bound [Pa] on the vertical stress anywhere below x, y [m]; infinite inside the rectangle that a
+  // source covers. And the source that presses most there, -1 without load.
   struct Bound {
     double stress;
     int source;
@@ -37,9 +37,13 @@ class LoadReach {
     int source;
     double x_min, x_max, y_min, y_max;  // [m]
     double reach;                       // [N]  stress <= reach / distance^2
+    std::size_t first, last;            // its forces in the load
   };
+  // Where rectangles overlap the forces themselves must tell.
+  int PressingMost(double x, double y) const;
   double Radius(double stress) const;
 
+  const SurfaceLoad& load_;
   std::vector<Footprint> footprints_;
 };
 

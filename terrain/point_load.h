@@ -4,11 +4,10 @@
 
 #include <cmath>
 
+#include "terrain/constants.h"
 #include "terrain/host_device.h"
 
 namespace softsoil {
-
-constexpr double kPi = 3.14159265358979323846;
 
 // Where a point lies against a force: z [m] below it and r [m] beside it.
 template <class Real>

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "terrain/point_load.h"
+#include "terrain/constants.h"
 
 namespace softsoil {
 

@@ -5,7 +5,6 @@
 #include <deque>
 #include <mutex>
 #include <thread>
-#include <vector>
 
 namespace softsoil {
 
@@ -13,16 +12,13 @@ struct WorkerPool::Impl {
   std::mutex mutex;
   std::condition_variable wake;
   std::deque<std::packaged_task<void()>> jobs;
-  bool stop = false;
-  std::vector<std::thread> threads;
 
-  void Work() {
+  [[noreturn]] void Work() {
     for (;;) {
       std::packaged_task<void()> job;
       {
         std::unique_lock<std::mutex> lock(mutex);
-        wake.wait(lock, [this] { return stop || !jobs.empty(); });
-        if (jobs.empty()) return;
+        wake.wait(lock, [this] { return !jobs.empty(); });
         job = std::move(jobs.front());
         jobs.pop_front();
       }
@@ -31,22 +27,14 @@ struct WorkerPool::Impl {
   }
 };
 
-WorkerPool::WorkerPool(int threads) : impl_(std::make_unique<Impl>()) {
-  for (int i = 0; i < threads; ++i) impl_->threads.emplace_back([this] { impl_->Work(); });
-}
-
-WorkerPool::~WorkerPool() {
-  {
-    const std::lock_guard<std::mutex> lock(impl_->mutex);
-    impl_->stop = true;
-  }
-  impl_->wake.notify_all();
-  for (std::thread& thread : impl_->threads) thread.join();
+WorkerPool::WorkerPool(int threads) : impl_(new Impl) {
+  for (int i = 0; i < threads; ++i) std::thread([this] { impl_->Work(); }).detach();
 }
 
 WorkerPool& WorkerPool::Shared() {
-  static WorkerPool pool(std::max(1u, std::thread::hardware_concurrency()));
-  return pool;
+  static auto* const pool =  // never destroyed: jobs may come while the process ends
+      new WorkerPool(static_cast<int>(std::max(1u, std::thread::hardware_concurrency())));
+  return *pool;
 }
 
 std::future<void> WorkerPool::Run(std::function<void()> job) {

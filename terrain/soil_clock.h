@@ -6,22 +6,21 @@
 
 #include <functional>
 #include <future>
-#include <memory>
 
 namespace softsoil {
 
-// Threads shared by all soils of the process, at most one per processor; made when first needed.
+// Threads shared by all soils of the process, one per processor; made when first needed. They live
+// to the very end of the process, for a host may step as long.
 class WorkerPool {
  public:
   static WorkerPool& Shared();
-  ~WorkerPool();
   // Runs `job` on a worker; get() of the future rethrows what it threw.
   std::future<void> Run(std::function<void()> job);
 
  private:
   explicit WorkerPool(int threads);
   struct Impl;
-  std::unique_ptr<Impl> impl_;
+  Impl* const impl_;  // the threads hold it, to the end
 };
 
 // The fixed instants of simulated time at which surface and soil exchange.
@@ -39,7 +38,6 @@ class SoilClock {
     return full_;
   }
   double Elapsed() const { return elapsed_; }
-  double period() const { return period_; }
 
  private:
   double period_;

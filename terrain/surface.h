@@ -62,7 +62,6 @@ class Surface {
   Surface(double spacing, SurfaceMode mode, UndisturbedHeight undisturbed);
 
   double spacing() const { return spacing_; }
-  SurfaceMode mode() const { return mode_; }
   double NodeHeight(GridNode node) const;   // [m]
   double Height(double x, double y) const;  // [m]  bilinear
   double Undisturbed(GridNode node) const;  // [m]

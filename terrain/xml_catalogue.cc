@@ -1,7 +1,6 @@
 #include "terrain/xml_catalogue.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <cstring>
 #include <filesystem>
@@ -13,12 +12,6 @@ namespace softsoil {
 namespace {
 
 constexpr char kSource[] = "source";  // where a group of numbers comes from; each group has one
-
-bool ParseNumber(const char* text, double* value) {
-  const char* end = text + std::strlen(text);
-  const auto [stop, error] = std::from_chars(text, end, *value);
-  return error == std::errc() && stop == end && std::isfinite(*value);
-}
 
 // What is wrong with a file that tinyxml2 cannot load.
 std::string InWords(tinyxml2::XMLError error) {
@@ -40,18 +33,7 @@ bool HoldsText(const tinyxml2::XMLElement& element) {
   return node != nullptr;
 }
 
-std::string Listed(const std::vector<std::string>& words) {
-  std::string list;
-  for (const std::string& word : words) list += (list.empty() ? "" : ", ") + word;
-  return list;
-}
-
 }  // namespace
-
-std::string Shown(double value) {
-  char text[32];
-  return std::string(text, std::to_chars(text, text + sizeof text, value).ptr);
-}
 
 bool Contains(Range range, double value) {
   switch (range) {
@@ -60,6 +42,7 @@ bool Contains(Range range, double value) {
     case Range::kPositive: return value > 0 && std::isfinite(value);
     case Range::kUpTo90Degrees: return value >= 0 && value < 90;
     case Range::kConcentration: return value >= 3 && value <= 6;
+    case Range::kTireSize: return value >= 0.001 && value <= 100;
   }
   return false;
 }
@@ -71,6 +54,7 @@ std::string InWords(Range range) {
     case Range::kPositive: return "> 0";
     case Range::kUpTo90Degrees: return ">= 0 and < 90";
     case Range::kConcentration: return "3 to 6";
+    case Range::kTireSize: return "0.001 to 100";
   }
   return "";
 }

@@ -29,12 +29,10 @@ class XmlEntry {
                    const std::vector<std::string>& allowed = {});
   bool Has(const char* element) const;
 
-  // Fills the fields of a table. Elements for which Has() is false and `optional` names are left.
+  // Fills the fields of a table.
   template <class Entry>
-  void Fill(const std::vector<Attribute<Entry>>& table, Entry& entry,
-            const std::set<std::string>& optional = {}) {
+  void Fill(const std::vector<Attribute<Entry>>& table, Entry& entry) {
     for (const Attribute<Entry>& a : table) {
-      if (optional.count(a.element) != 0 && !Has(a.element)) continue;
       a.field(entry) = Number(a.element, a.name, a.unit, a.range) * a.to_si;
     }
   }

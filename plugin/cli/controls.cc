@@ -2,8 +2,6 @@
 
 #include <algorithm>
 #include <cerrno>
-#include <charconv>
-#include <cmath>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
@@ -95,9 +93,7 @@ std::vector<int> ReadHeader(const Lines& lines, const std::vector<std::string>& 
 double ReadNumber(const Lines& lines, const std::string& name, const std::string& cell) {
   if (cell.empty()) lines.Refuse(name + " is missing");
   double value = 0;
-  const char* end = cell.data() + cell.size();
-  const auto [stop, error] = std::from_chars(cell.data(), end, value);
-  if (error != std::errc() || stop != end || !std::isfinite(value)) {
+  if (!ParseNumber(cell, &value)) {
     lines.Refuse(name + " must be a finite number, got \"" + cell + "\"");
   }
   return value;

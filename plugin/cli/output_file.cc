@@ -33,7 +33,7 @@ OutputFile::~OutputFile() {
 }
 
 void OutputFile::Write(const void* bytes, std::size_t size) {
-  if (std::fwrite(bytes, 1, size, file_) != size) Fail("write");
+  if (size > 0 && std::fwrite(bytes, 1, size, file_) != size) Fail("write");
 }
 
 void OutputFile::Flush() {

@@ -21,9 +21,20 @@ namespace {
 
 constexpr double kAveragedOver = 1;  // [s]
 
+constexpr double kMostSteps = 1e10;
+
 void RequirePositive(const char* option, double value) {
   if (std::isfinite(value) && value > 0) return;
   throw InputError(std::string(option) + " must be > 0 s, got " + Shown(value));
+}
+
+// Number of steps that make up `time` [s].
+long Steps(double time, double time_step) {
+  if (time < time_step / 2 || time / time_step > kMostSteps) {
+    throw InputError("--time must be one time step, " + Shown(time_step) + " s, to " +
+                     Shown(kMostSteps) + " of them, got " + Shown(time));
+  }
+  return std::max(1L, std::lround(time / time_step));
 }
 
 // Results of an earlier run would be taken for those of one that is killed.
@@ -41,7 +52,7 @@ class Drive {
         controls_(controls),
         interval_(options.interval),
         time_step_(simulation.model().opt.timestep),
-        steps_(std::max(1L, std::lround(options.time / time_step_))),
+        steps_(Steps(options.time, time_step_)),
         first_averaged_(std::max(0L, steps_ - std::lround(kAveragedOver / time_step_))),
         log_(options.folder + "/wheels.csv"),
         progress_(options.time) {}

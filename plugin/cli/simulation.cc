@@ -31,10 +31,11 @@ void Require(int result) {
   if (result != 0) throw std::runtime_error(softsoil_error());
 }
 
-// MuJoCo answers numbers that are not finite or huge with a warning and a reset.
+// MuJoCo answers numbers that are not finite or huge with a warning and a reset, of the state or of
+// the controls.
 bool Diverged(const mjData& data) {
   return data.warning[mjWARN_BADQPOS].number + data.warning[mjWARN_BADQVEL].number +
-             data.warning[mjWARN_BADQACC].number >
+             data.warning[mjWARN_BADQACC].number + data.warning[mjWARN_BADCTRL].number >
          0;
 }
 

@@ -52,14 +52,14 @@ double CompactionEnergy(const RunResult& result) {
 }
 
 void PrintWheel(const WheelResult& wheel) {
-  // Rounded here, such that -0.001 becomes 0.00 and not -0.00.
+  // Rounded here, such that -0.01 becomes 0.0 and not -0.0.
   const auto value = [&wheel](const char* key, double unit, int digits) {
     const double scale = std::pow(10.0, digits);
     return std::round(wheel.mean.Value(key) / unit * scale) / scale + 0.0;
   };
-  std::printf("%-16s %9.2f %12.1f %14.1f %8.1f %17.2f %13.2f\n", wheel.name.c_str(),
-              value("load", 1e3, 2), value("sinkage", 1e-2, 1), value("rut_depth", 1e-2, 1),
-              value("slip_ratio", 1e-2, 1), value("drawbar_pull", 1e3, 2), value("torque", 1e3, 2));
+  std::printf("%-16s %8.1f %12.1f %14.1f %8.1f %16.1f %12.1f\n", wheel.name.c_str(),
+              value("load", 1, 1), value("sinkage", 1e-2, 1), value("rut_depth", 1e-2, 1),
+              value("slip_ratio", 1e-2, 1), value("drawbar_pull", 1, 1), value("torque", 1, 1));
 }
 
 }  // namespace
@@ -94,19 +94,22 @@ void WriteSummary(const RunOptions& options, const RunResult& result) {
   json["warnings"] = MujocoWarnings();
 
   OutputFile file(options.folder + "/summary.json");
-  file.Write(json.dump(2) + "\n");
+  // Names in a model need not be UTF-8; the summary of a long run must not be lost for that.
+  file.Write(json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n");
   file.Finish();
 }
 
 void PrintSummary(const RunOptions& options, const RunResult& result) {
   std::printf("%s: %g s on %s; wheels averaged over the last %g s\n\n", options.scene.c_str(),
               result.simulated_time, result.ground.soil, result.averaged_over);
-  std::printf("%-16s %9s %12s %14s %8s %17s %13s\n", "wheel", "load [kN]", "sinkage [cm]",
-              "rut depth [cm]", "slip [%]", "drawbar pull [kN]", "torque [kN m]");
+  std::printf("%-16s %8s %12s %14s %8s %16s %12s\n", "wheel", "load [N]", "sinkage [cm]",
+              "rut depth [cm]", "slip [%]", "drawbar pull [N]", "torque [N m]");
   for (const WheelResult& wheel : result.wheels) PrintWheel(wheel);
-  std::printf("\nReal-time factor %.2f: %.1f s for %g s with %d thread%s; %.0f MB\n",
-              RealTimeFactor(result), result.wall_time, result.simulated_time,
-              result.ground.threads, result.ground.threads == 1 ? "" : "s", PeakMemory());
+  std::printf(
+      "\nReal-time factor %.2f (wall / simulated time): %.1f s for %g s with %d thread%s; "
+      "%.0f MB\n",
+      RealTimeFactor(result), result.wall_time, result.simulated_time, result.ground.threads,
+      result.ground.threads == 1 ? "" : "s", PeakMemory());
   std::printf("Rut volume %.3f m^3, compaction energy %.2f kJ\n", result.ground.rut_volume,
               CompactionEnergy(result) / 1e3);
   std::printf("Results in %s: summary.json, wheels.csv, terrain.npy%s\n", options.folder.c_str(),

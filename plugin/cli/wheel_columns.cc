@@ -2,11 +2,13 @@
 
 #include <algorithm>
 
+#include "terrain/constants.h"
+
 namespace softsoil {
 namespace {
 
 using Wheel = softsoilWheel;
-constexpr double kDegrees = 180 / 3.14159265358979323846;
+constexpr double kDegrees = 180 / kPi;
 
 }  // namespace
 

@@ -1,4 +1,5 @@
 """The program softsoil, as the tests of this folder call it. Expects it first in PATH."""
+import csv
 import json
 import os
 import pathlib
@@ -7,6 +8,8 @@ import tempfile
 import unittest
 
 FAILED, BAD_INPUT, NO_SUCH_PROGRAM = 1, 2, 127
+COARSE = ["--no-picture", "--set", "grid_spacing=0.05", "--set", "volume_height=0.05", "--set",
+          "volumes=15"]
 RESULTS = ["summary.json", "terrain.npy", "terrain.png", "wheels.csv"]
 
 
@@ -22,6 +25,13 @@ def run(folder, *more, seconds=0.2, scene="hmmwv_flat"):
 
 def summary_of(folder):
     return json.loads((folder / "summary.json").read_text())
+
+
+def rows_of(folder):
+    """wheels.csv: a dictionary for each row, all numbers but the wheel's name."""
+    with open(folder / "wheels.csv", newline="") as file:
+        return [{key: text if key == "wheel" else float(text) for key, text in row.items()}
+                for row in csv.DictReader(file)]
 
 
 class InAFolder(unittest.TestCase):

@@ -1,5 +1,4 @@
 """softsoil run: what it prints and writes, and what its options do."""
-import csv
 import math
 import os
 import pathlib
@@ -9,7 +8,7 @@ import unittest
 import matplotlib.image
 import numpy as np
 
-from program import RESULTS, InAFolder, run, summary_of
+from program import RESULTS, InAFolder, rows_of, run, summary_of
 
 
 class Run(unittest.TestCase):
@@ -25,15 +24,14 @@ class Run(unittest.TestCase):
         cls.done = run(cls.folder, "--controls", controls, "--threads", 2, "--interval", 0.1,
                        seconds=1.5)
         assert cls.done.returncode == 0, cls.done.stderr
-        with open(cls.folder / "wheels.csv", newline="") as file:
-            cls.rows = list(csv.DictReader(file))
+        cls.rows = rows_of(cls.folder)
 
     def test_leaves_its_results_and_nothing_else(self):
         self.assertEqual(sorted(os.listdir(self.folder)), RESULTS)
 
     def test_prints_a_row_for_each_wheel_and_no_progress_into_a_pipe(self):
-        for word in ["wheel_fl", "wheel_fr", "wheel_rl", "wheel_rr", "load [kN]", "sinkage [cm]",
-                     "rut depth [cm]", "slip [%]", "drawbar pull [kN]", "torque [kN m]",
+        for word in ["wheel_fl", "wheel_fr", "wheel_rl", "wheel_rr", "load [N]", "sinkage [cm]",
+                     "rut depth [cm]", "slip [%]", "drawbar pull [N]", "torque [N m]",
                      "Real-time factor", str(self.folder)]:
             self.assertIn(word, self.done.stdout)
         self.assertNotIn("\r", self.done.stderr)
@@ -44,7 +42,6 @@ class Run(unittest.TestCase):
                     "peak_memory_mb", "rut_volume", "displaced_volume", "bytes_per_column",
                     "bytes_per_volume"]:
             self.assertGreater(summary[key], 0, key)
-        self.assertGreaterEqual(summary["compaction_energy"], 0)
         self.assertAlmostEqual(summary["simulated_time"], 1.5)
         self.assertAlmostEqual(summary["real_time_factor"], summary["wall_time"] / 1.5)
         self.assertEqual(summary["wheels_averaged_over"], 1)
@@ -71,13 +68,13 @@ class Run(unittest.TestCase):
                          "rut depth [m]", "slip ratio [-]", "slip angle [deg]", "torque [N m]",
                          "drawbar pull [N]"} <= set(self.rows[0]))
         self.assertEqual(len(self.rows), 16 * 4)
-        times = sorted({float(row["time [s]"]) for row in self.rows})
+        times = sorted({row["time [s]"] for row in self.rows})
         np.testing.assert_allclose(times, np.linspace(0, 1.5, 16), atol=1e-9)
         for row in self.rows:
-            self.assertTrue(all(math.isfinite(float(row[key])) for key in row if key != "wheel"))
+            self.assertTrue(all(math.isfinite(row[key]) for key in row if key != "wheel"))
 
     def test_controls_drive(self):
-        self.assertGreater(float(self.rows[-1]["torque [N m]"]), 300)
+        self.assertGreater(self.rows[-1]["torque [N m]"], 300)
 
     def test_terrain_holds_the_rut_below_the_wheels(self):
         terrain = np.load(self.folder / "terrain.npy")
@@ -86,7 +83,7 @@ class Run(unittest.TestCase):
         self.assertTrue(np.isfinite(terrain).all())
         deepest = terrain[terrain[:, 3].argmax()]
         self.assertGreater(deepest[3], 0.005)
-        distances = [math.hypot(float(r["x [m]"]) - deepest[0], float(r["y [m]"]) - deepest[1])
+        distances = [math.hypot(r["x [m]"] - deepest[0], r["y [m]"] - deepest[1])
                      for r in self.rows]
         self.assertLess(min(distances), 0.6)
 

@@ -101,6 +101,29 @@ TEST(WheelReport, IsTheSameWhicheverWayTheWheelFaces) {
   EXPECT_NEAR(turned.torque, ahead.torque, 1e-6);
 }
 
+// The W axes lie in the ground: on rock a slope changes nothing that a wheel reports.
+TEST(WheelReport, IsTheSameOnASlopeAsOnLevelGround) {
+  const Eigen::Matrix3d uphill = RotationAbout(Vector3d::UnitY(), -0.3);
+  TirePose level = PressedIn(TruckTire(), 0.03);
+  level.velocity_w = {2, 0.2, 0};
+  level.angular_velocity_w = {0, 5, 0};
+  const auto report = [](const TirePose& pose, double slope) {
+    const Surface ground(0.05, SurfaceMode::kFlow, Rising(slope));
+    PatchForces forces;
+    WheelContact(TruckTire(), 0.01).Evaluate(pose, ground, Rock(), 0.01, &forces);
+    return ReportOf(TruckTire(), pose, forces);
+  };
+  const WheelReport flat = report(level, 0);
+  const WheelReport steep = report(Rotated(uphill, level), std::tan(0.3));
+  ASSERT_GT(flat.load, 1000);
+  EXPECT_NEAR(steep.load / flat.load, 1, 1e-6);
+  EXPECT_NEAR(steep.thrust / flat.thrust, 1, 1e-6);
+  EXPECT_NEAR(steep.motion_resistance, flat.motion_resistance, 1e-6 * flat.load);
+  EXPECT_NEAR(steep.slip_ratio, flat.slip_ratio, 1e-9);
+  EXPECT_NEAR(steep.slip_angle, flat.slip_angle, 1e-9);
+  EXPECT_NEAR(steep.camber, 0, 1e-9);
+}
+
 TEST(WheelReport, IsResistedByAStepAhead) {
   Surface step(0.05, SurfaceMode::kFlow, Level);
   Press(&step, 1, [](double x, double) { return x < 0.1 ? 0.05 : 0.0; });

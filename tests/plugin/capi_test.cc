@@ -1,7 +1,9 @@
 #include <gmock/gmock.h>
 
 #include <algorithm>
+#include <cmath>
 #include <string>
+#include <utility>
 
 #include "tests/plugin/simulation.h"
 
@@ -45,9 +47,60 @@ TEST(CApi, GivesNamesAndResults) {
       &lowest);
   EXPECT_LE(lowest, sim.Height());
   EXPECT_LT(lowest, 0);
+}
 
-  EXPECT_EQ(softsoil_reset(sim.m.get(), sim.d.get()), 0);
-  EXPECT_EQ(sim.Height(), 0);
+void ExpectAtRest(const softsoilWheel& wheel) {
+  for (const double value :
+       {wheel.load, wheel.sinkage, wheel.rut_depth, wheel.slip_ratio, wheel.spin,
+        wheel.forward_speed, wheel.thrust, wheel.torque, wheel.contact_area, wheel.mean_pressure,
+        wheel.peak_pressure, wheel.compaction_energy, wheel.centre[2], wheel.force[2]}) {
+    EXPECT_EQ(value, 0);
+  }
+}
+
+TEST(CApi, ResetsToWhatAttachingGives) {
+  Simulation sim{OneWheel{}};
+  sim.d->qvel[0] = 1;
+  sim.Row()[0] = 100;
+  const auto drive = [&sim] {
+    sim.Run(0.5);
+    return std::make_pair(sim.d->qpos[0], sim.d->qpos[1]);
+  };
+  const auto first = drive();
+  ASSERT_LT(sim.Height(0.2), 0);
+  ASSERT_EQ(softsoil_reset(sim.m.get(), sim.d.get()), 0);
+  EXPECT_EQ(sim.Height(0.2), 0);
+  ExpectAtRest(sim.Wheel());
+  EXPECT_EQ(sim.Row()[0], 100) << "the host's part stays";
+  for (int k = 1; k < 6; ++k) EXPECT_EQ(sim.Row()[k], 0) << k;
+
+  mj_resetData(sim.m.get(), sim.d.get());
+  sim.d->qvel[0] = 1;
+  sim.Row()[0] = 100;
+  EXPECT_EQ(drive(), first);
+}
+
+TEST(CApi, ResetsOnlyTheModelThatTheSoilWasMadeFor) {
+  Simulation sim{OneWheel{}};
+  OneWheel another;
+  another.custom = "";
+  const Model m = Load(another.Mjcf());
+  EXPECT_EQ(softsoil_reset(m.get(), sim.d.get()), -1);
+  EXPECT_STREQ(softsoil_error(),
+               "this mjData has no soil for this mjModel: call softsoil_attach() first");
+}
+
+TEST(CApi, TellsHeightsWithinAThousandKilometres) {
+  const Simulation sim{OneWheel{}};
+  double height = 1;
+  EXPECT_EQ(softsoil_height(sim.d.get(), 1e6, -1e6, &height), 0);
+  EXPECT_EQ(height, 0);
+  EXPECT_EQ(softsoil_height(sim.d.get(), std::nan(""), 0, &height), -1);
+  EXPECT_STREQ(softsoil_error(), "x must be -1000000 to 1000000 m, got nan");
+  EXPECT_EQ(softsoil_height(sim.d.get(), 0, -INFINITY, &height), -1);
+  EXPECT_STREQ(softsoil_error(), "y must be -1000000 to 1000000 m, got -inf");
+  EXPECT_EQ(softsoil_height(sim.d.get(), 0, 1000001, &height), -1);
+  EXPECT_STREQ(softsoil_error(), "y must be -1000000 to 1000000 m, got 1000001");
 }
 
 TEST(CApi, GivesZerosBeforeTheFirstStep) {
@@ -84,9 +137,10 @@ std::string AttachRefusal(const OneWheel& model, const char* settings = nullptr)
 
 TEST(Attach, RefusesWhatItCannotDoWithAClearSentence) {
   const OneWheel good;
-  EXPECT_THAT(AttachRefusal(good, "soil=moon"), HasSubstr("unknown soil \"moon\"; known are: "));
+  EXPECT_THAT(AttachRefusal(good, "soil=moon"),
+              HasSubstr("softsoil_soil: unknown soil \"moon\"; known are: "));
   EXPECT_THAT(AttachRefusal(good, "tire=moon"),
-              HasSubstr("unknown tire \"moon\"; known are: 18.4R38_85kPa"));
+              HasSubstr("softsoil_tire: unknown tire \"moon\"; known are: 18.4R38_85kPa"));
   EXPECT_THAT(AttachRefusal(good, "tire=hub=auto"),
               HasSubstr("softsoil_tire: \"hub\" is no wheel; wheels are: wheel"));
   EXPECT_THAT(AttachRefusal(good, "wheels=hub"), HasSubstr("body \"hub\" has no spin axis"));
@@ -95,7 +149,7 @@ TEST(Attach, RefusesWhatItCannotDoWithAClearSentence) {
   EXPECT_THAT(AttachRefusal(good, "ground=moon"),
               HasSubstr("softsoil_ground: the model has no geom \"moon\""));
   EXPECT_THAT(AttachRefusal(good, "soil_file=nowhere.xml"), HasSubstr("nowhere.xml"));
-  EXPECT_THAT(AttachRefusal(good, "clock=-1"), HasSubstr("must be > 0 s, got -1"));
+  EXPECT_THAT(AttachRefusal(good, "clock=-1"), HasSubstr("clock: must be 0.0001 to 10 s, got -1"));
 
   OneWheel model = good;
   model.custom = "";
@@ -107,6 +161,36 @@ TEST(Attach, RefusesWhatItCannotDoWithAClearSentence) {
   model = good;
   model.option = R"(gravity="1 0 -9")";
   EXPECT_EQ(AttachRefusal(model), "<option> gravity: must act along -z, got 1 0 -9");
+}
+
+TEST(Attach, RefusesOptionsUnderWhichSoilCannotAct) {
+  OneWheel passive;
+  passive.others = R"(<option><flag passive="disable"/></option>)";
+  EXPECT_THAT(AttachRefusal(passive), HasSubstr("<flag passive>: must be \"enable\""));
+  OneWheel frozen;
+  frozen.timestep = "0";
+  EXPECT_EQ(AttachRefusal(frozen), "<option> timestep: must be > 0 s, got 0");
+}
+
+TEST(Attach, RefusesListsThatNameNothing) {
+  OneWheel model;
+  model.custom += R"(<text name="softsoil_tire" data=" , "/>)";
+  EXPECT_EQ(AttachRefusal(model), "<custom> softsoil_tire: must name something, got \" , \"");
+}
+
+TEST(Attach, RefusesAnAxleThatPassesForAWheel) {
+  OneWheel axle;
+  axle.wheel_geom = R"(type="cylinder" zaxis="0 1 0" size=".05 1")";
+  EXPECT_THAT(AttachRefusal(axle), HasSubstr("has the half width 1 m, more than 5 times its"));
+}
+
+TEST(Attach, RefusesNumbersBeforeItSaysAnything) {
+  OneWheel model;
+  model.wheel_geom = R"(type="sphere" size=".33")";  // said nowhere else
+  testing::internal::CaptureStderr();
+  EXPECT_THAT(AttachRefusal(model, "grid_spacing=0.0005"),
+              HasSubstr("grid_spacing: must be 0.001 to 10 m, got 0.0005"));
+  EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
 }
 
 }  // namespace

@@ -30,6 +30,7 @@ ONE_WHEEL = """
     </body>
   </worldbody>
 </mujoco>"""
+PROBE = r"probe: wheels 4 load (\S+) weight (\S+) contacts 0"
 SOIL = '<text name="softsoil_soil" data="tilled_yolo_loam"/>'
 
 
@@ -69,16 +70,21 @@ class Hosts(unittest.TestCase):
         self.assertEqual(result.returncode, 0, result.stderr)
         self.assertEqual(result.stderr.count('softsoil: soil "tilled_yolo_loam"'), 1)
         self.assertNotIn("warning", result.stderr)
-        probes = re.findall(r"wheels 4 load (\S+) weight (\S+) contacts 0", result.stderr)
+        probes = re.findall(PROBE, result.stderr)
         self.assertEqual(len(probes), 2, result.stderr)
         for load, weight in probes:
             self.assertAlmostEqual(float(load) / float(weight), 1, delta=0.01)
 
     def test_simulate_shows_the_hmmwv_on_soil(self):
-        result = run(["xvfb-run", "-a", "timeout", "10", "mujoco-simulate", HMMWV])
-        self.assertEqual(result.returncode, 124, result.stdout + result.stderr)
+        """Preloaded for simulate alone: the probe needs a program with MuJoCo."""
+        preload = f"LD_PRELOAD={LIBRARY}:{self.probe()}"
+        result = run(["xvfb-run", "-a", "timeout", "200", "env", preload, "PROBE_TIME=2",
+                      "PROBE_IS_LAST=1", "mujoco-simulate", HMMWV], preload=())
+        self.assertEqual(result.returncode, 0, result.stdout + result.stderr)
         self.assertIn('softsoil: soil "tilled_yolo_loam"', result.stderr)
         self.assertNotIn("softsoil: warning", result.stderr)
+        load, weight = re.search(PROBE, result.stderr).groups()
+        self.assertAlmostEqual(float(load) / float(weight), 1, delta=0.01)
 
     def test_rigid_contact_is_gone_from_the_first_step_on_request(self):
         remove = '<text name="softsoil_rigid_contact" data="remove"/>'
@@ -90,7 +96,8 @@ class Hosts(unittest.TestCase):
         result = run(["mujoco-testspeed", self.scene(SOIL.replace("tilled", "titled")), "10", "2"])
         self.assertEqual(result.returncode, 1)
         self.assertEqual(result.stderr.count("\n"), 1, result.stderr)
-        self.assertIn('softsoil: unknown soil "titled_yolo_loam"; known are: ', result.stderr)
+        self.assertIn('softsoil: softsoil_soil: unknown soil "titled_yolo_loam"; known are: ',
+                      result.stderr)
 
     def test_a_bad_model_goes_on_without_soil_if_so_configured(self):
         result = run(["mujoco-testspeed", self.scene(SOIL.replace("tilled", "titled")), "10", "2"],

@@ -110,12 +110,17 @@ TEST(Settings, OfAModelAreRefusedWithNameRuleAndValue) {
   const std::string body = R"(<element objtype="body" objname="w"/>)";
   const std::string geom = R"(<element objtype="geom" objname="g"/>)";
   for (const Case& c : std::vector<Case>{
-           {Numeric("clock", "-1"), "<custom> softsoil_clock: must be > 0 s, got -1"},
+           {Numeric("clock", "-1"), "<custom> softsoil_clock: must be 0.0001 to 10 s, got -1"},
            {Numeric("clock", "0.1 0.2"), "<custom> softsoil_clock: must be one number, got 2"},
            {Numeric("volumes", "2.5"),
-            "<custom> softsoil_volumes: must be a whole number up to 1e+06, got 2.5"},
-           {Numeric("volumes", "0"), "<custom> softsoil_volumes: must be > 0, got 0"},
-           {Numeric("sync", "2"), "<custom> softsoil_sync: must be 0 or 1, got 2"},
+            "<custom> softsoil_volumes: must be a whole number, got 2.5"},
+           {Numeric("volumes", "0"), "<custom> softsoil_volumes: must be 1 to 1000, got 0"},
+           {Numeric("grid_spacing", "0.0005"),
+            "<custom> softsoil_grid_spacing: must be 0.001 to 10 m, got 0.0005"},
+           {Numeric("volume_height", "11"),
+            "<custom> softsoil_volume_height: must be 0.001 to 10 m, got 11"},
+           {Numeric("threads", "1025"), "<custom> softsoil_threads: must be 1 to 1024, got 1025"},
+           {Numeric("sync", "2"), "<custom> softsoil_sync: must be 0 to 1, got 2"},
            {Text("clock", "0.1"), "<custom> softsoil_clock: must be a <numeric>, got a <text>"},
            {Numeric("soil", "1"), "<custom> softsoil_soil: must be a <text>, got a <numeric>"},
            {Text("wheels", "w"), "<custom> softsoil_wheels: must be a <tuple>, got a <text>"},
@@ -137,10 +142,12 @@ TEST(Settings, OfAModelAreRefusedWithNameRuleAndValue) {
 
 TEST(Settings, InATextAreRefusedWithNameRuleAndValue) {
   for (const Case& c : std::vector<Case>{
-           {"clock=forty", "settings: clock: must be a number, got \"forty\""},
-           {"clock=0.1x", "settings: clock: must be a number, got \"0.1x\""},
-           {"clock=", "settings: clock: must be a number, got \"\""},
-           {"clock=nan", "settings: clock: must be > 0 s, got nan"},
+           {"clock=forty", "settings: clock: must be a finite number, got \"forty\""},
+           {"clock=0.1x", "settings: clock: must be a finite number, got \"0.1x\""},
+           {"clock=", "settings: clock: must be a finite number, got \"\""},
+           {"clock=0x1p-7", "settings: clock: must be a finite number, got \"0x1p-7\""},
+           {"clock=0,01", "settings: clock: must be a finite number, got \"0,01\""},
+           {"clock=nan", "settings: clock: must be a finite number, got \"nan\""},
            {"clock", "settings: clock: must be followed by = and a value"},
            {"clock=1 clock=2", "settings: clock: is given twice"},
            {"soil=", "settings: soil: must not be empty"},

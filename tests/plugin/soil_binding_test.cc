@@ -65,6 +65,27 @@ TEST(SoftSoil, IsUndisturbedAfterAReset) {
   EXPECT_EQ(sim.d->qpos[1], first_run);
 }
 
+TEST(SoftSoil, IsUndisturbedWhenTimeRunsBackwardsAndSaysSo) {
+  Simulation sim{OneWheel{}};
+  const auto go_back_to = [&sim](double time) {
+    testing::internal::CaptureStderr();
+    sim.d->time = time;
+    mj_forward(sim.m.get(), sim.d.get());
+    return testing::internal::GetCapturedStderr();
+  };
+  sim.Run(0.2);
+  EXPECT_EQ(go_back_to(0), "") << "as in a plain reset";
+  sim.Run(0.2);
+  ASSERT_EQ(softsoil_reset(sim.m.get(), sim.d.get()), 0);
+  EXPECT_EQ(go_back_to(0.1), "") << "the soil knows no time before";
+  sim.Run(0.2);
+  ASSERT_LT(sim.Height(), -0.005);
+  EXPECT_EQ(go_back_to(0.1),
+            "softsoil: warning: time ran backwards, but not to 0 s: the ground is undisturbed "
+            "again\n");
+  EXPECT_EQ(sim.Height(), 0);
+}
+
 TEST(SoftSoil, KeepsItsRutWhenTimeLeapsAhead) {
   Simulation sim{OneWheel{}};
   sim.Run(0.5);

@@ -38,6 +38,16 @@ TEST(StepWatch, TellsResetsAndJumps) {
               ElementsAre(kFirst, kNextStep, kBack, kNextStep, kJump, kNextStep));
 }
 
+TEST(StepWatch, TellsStepsThatItWasNotAskedFor) {
+  StepWatch watch;
+  EXPECT_FALSE(watch.HasMissed(0));
+  EXPECT_TRUE(watch.HasMissed(1));
+  watch.See(5, 1);
+  EXPECT_FALSE(watch.HasMissed(6)) << "the end of a step that was asked for at its start";
+  EXPECT_TRUE(watch.HasMissed(7));
+  EXPECT_FALSE(watch.HasMissed(0)) << "a reset";
+}
+
 // Counts accepted steps inside MuJoCo.
 struct Counter {
   StepWatch watch;

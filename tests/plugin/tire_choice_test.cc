@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 
 #include "contact/flat_plate.h"
 #include "plugin/time_step.h"
@@ -65,6 +66,10 @@ TEST(LongestStep, IsWhereSemiImplicitEulerTurnsUnstable) {
     EXPECT_FALSE(StaysBounded(o, 1.01 * longest));
   }
   EXPECT_NEAR(LongestStep({2, 1000, 0}), 2 * std::sqrt(2.0 / 1000), 1e-12);
+}
+
+TEST(LongestStep, HasNoBoundForAWheelThatIsHeldFast) {
+  EXPECT_TRUE(std::isinf(LongestStep({std::numeric_limits<double>::infinity(), 1000, 10})));
 }
 
 TEST(LongestStep, IsShorterUnderAHeavierLoad) {

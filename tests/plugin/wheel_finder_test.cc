@@ -175,11 +175,15 @@ TEST(WheelFinder, TakesAMeshIfItIsNamed) {
 TEST(WheelFinder, RefusesNamedBodiesThatAreNoWheels) {
   const std::string car = Car(R"(<body name="fixed"><geom size=".4"/></body>
       <body name="box"><joint axis="0 1 0"/><geom type="box" size=".4 .4 .4"/></body>
+      <body name="bare"><joint axis="0 1 0"/>
+        <inertial pos="0 0 0" mass="1" diaginertia="1 1 1"/></body>
       <body name="good"><joint axis="0 1 0"/><geom size=".4"/></body>)");
   EXPECT_THAT(Refusal(car, {"fixed"}),
               HasSubstr("softsoil_wheels: body \"fixed\" has no spin axis: it must turn about"));
   EXPECT_THAT(Refusal(car, {"box"}),
               HasSubstr("softsoil_wheels: body \"box\" has no geom round about its hinge"));
+  EXPECT_THAT(Refusal(car, {"bare"}),
+              HasSubstr("softsoil_wheels: body \"bare\" has no geom round about its hinge"));
   EXPECT_EQ(Refusal(car, {"none"}), "softsoil_wheels: the model has no body \"none\"");
   EXPECT_EQ(Refusal(car, {"good", "good"}), "softsoil_wheels: body \"good\" is named twice");
 }

@@ -109,5 +109,19 @@ TEST(LoadReach, OfNoLoadIsNothing) {
   reach.ForEachRectangle(1, [](double, double, double, double) { FAIL(); });
 }
 
+// Two wheels side by side at an angle: their rectangles overlap, the forces do not.
+TEST(LoadReach, AsksTheForcesWhereTheRectanglesOfSourcesOverlap) {
+  SurfaceLoad load;
+  for (int source : {0, 1}) {
+    for (int k = 0; k <= 10; ++k) {
+      const double x = 0.05 * k, y = 0.05 * k + 0.2 * source;
+      load.push_back({{0, 0}, x, y, 0, {0, 0, source == 0 ? -10.0 : -100.0}, source});
+    }
+  }
+  const LoadReach reach(load, 5);
+  EXPECT_EQ(reach.At(0.25, 0.25).source, 0);
+  EXPECT_EQ(reach.At(0.25, 0.45).source, 1);
+}
+
 }  // namespace
 }  // namespace softsoil

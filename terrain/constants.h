@@ -1,0 +1,8 @@
+// Numbers of mathematics.
+#pragma once
+
+namespace softsoil {
+
+constexpr double kPi = 3.14159265358979323846;
+
+}  // namespace softsoil
