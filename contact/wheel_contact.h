@@ -43,7 +43,7 @@ struct NodeContact {
   Mobilisation mobilisation;       // at the end of the step
 };
 
-// Answer of Evaluate(). Reused between calls, so that a step allocates nothing.
+// Answer of Evaluate(). Reused between calls, so that evaluating soon allocates nothing.
 struct PatchForces {
   Wrench wrench;                      // about the wheel centre
   std::vector<NodeContact> contacts;  // in the order of the nodes

@@ -20,6 +20,11 @@ struct Columns::Tile {
     return {density[k], preconsolidation_density[k], preconsolidation_stress[k], peak_density[k],
             preconsolidation_density[k]};
   }
+  // Whether any volume of a column is within a load cycle.
+  bool IsOpen(int place, int volumes) const {
+    const float* peak = &peak_density[std::size_t(place) * volumes];
+    return std::any_of(peak, peak + volumes, [](float p) { return p > 0; });
+  }
   void Store(std::size_t k, const SoilVolume& volume) {
     density[k] = volume.density;
     preconsolidation_density[k] = static_cast<float>(volume.preconsolidation_density);
@@ -53,11 +58,10 @@ PeriodResult Columns::Advance(const SurfaceLoad& load, double period) {
     if (visit.source >= 0) result.energy[visit.source] += energy;
     result.compaction.push_back({NodeAt(visit.tile, visit.place), Sinkage(visit)});
     const Tile& tile = *tiles_.Find(visit.tile);
-    const auto* peak = &tile.peak_density[std::size_t(visit.place) * settings_.volumes];
-    if (std::any_of(peak, peak + settings_.volumes, [](float p) { return p > 0; })) {
-      open_tiles_.insert(visit.tile);
-    }
-    if (peak[settings_.volumes - 1] > 0) result.lowest_volume_yields = true;
+    if (!tile.IsOpen(visit.place, settings_.volumes)) continue;
+    open_tiles_.insert(visit.tile);
+    const std::size_t lowest = std::size_t(visit.place + 1) * settings_.volumes - 1;
+    if (tile.peak_density[lowest] > 0) result.lowest_volume_yields = true;
   }
   return result;
 }
@@ -79,8 +83,7 @@ std::vector<Columns::Visit> Columns::ColumnsToVisit(const SurfaceLoad& load) {
   for (const TileIndex& index : open_tiles_) {
     const Tile& tile = *tiles_.Find(index);
     for (int place = 0; place < kColumnsPerTile; ++place) {
-      const auto* peak = &tile.peak_density[std::size_t(place) * settings_.volumes];
-      if (std::none_of(peak, peak + settings_.volumes, [](float p) { return p > 0; })) continue;
+      if (!tile.IsOpen(place, settings_.volumes)) continue;
       const GridNode node = NodeAt(index, place);
       visits.push_back({index, place, reach.At(node.i * dx, node.j * dx).source});
     }
