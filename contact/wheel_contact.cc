@@ -12,8 +12,6 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double kFarthest = 1e6;  // [m]  grid indices stay far from overflow
-
 void RequireUsable(const TirePose& pose) {
   const bool finite = pose.centre_w.allFinite() && pose.frame_w.allFinite() &&
                       pose.velocity_w.allFinite() && pose.angular_velocity_w.allFinite();
@@ -49,8 +47,8 @@ double ClosingSpeed(const TirePose& pose, const SurfacePoint& ground) {
          pose.velocity_w.z();
 }
 
-double ShearLead(double v_t, double v_b, double K) {
-  const double speed = std::hypot(v_t, v_b);
+// Time [s] that the shear stress looks ahead at a slip of `speed` [m/s].
+double ShearLead(double speed, double K) {
   return speed * kShearLead > kLongestLead * K ? kLongestLead * K / speed : kShearLead;
 }
 
@@ -130,7 +128,8 @@ void WheelContact::Rub(const TirePose& pose, const Soil& soil, double h,
       pose.velocity_w + pose.angular_velocity_w.cross(contact->point_w - pose.centre_w);
   const double v_t = slip_w.dot(tangent_w), v_b = slip_w.dot(binormal_w), K = soil.shear.modulus;
   contact->mobilisation = Slip(mobilisation_[i], v_t, v_b, h, K);
-  const Mobilisation damped = Slip(contact->mobilisation, v_t, v_b, ShearLead(v_t, v_b, K), K);
+  const double lead = ShearLead(std::hypot(v_t, v_b), K);
+  const Mobilisation damped = Slip(contact->mobilisation, v_t, v_b, lead, K);
   const double strength = ShearStrength(soil.shear, tire_.soil_friction, contact->pressure);
   contact->shear_force_w =
       -strength * contact->area * (damped.t * tangent_w + damped.b * binormal_w);

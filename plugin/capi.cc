@@ -42,9 +42,9 @@ void Require(const void* argument, const char* name) {
 
 // Grid nodes are numbered with 32 bits.
 void RequirePlace(const char* name, double value) {
-  constexpr softsoil::Limits kFarthest = {-1e6, 1e6};  // [m]
-  if (Contains(kFarthest, value)) return;
-  throw InputError(std::string(name) + " must be " + InWords(kFarthest) + " m, got " +
+  constexpr softsoil::Limits kPlaces = {-softsoil::kFarthest, softsoil::kFarthest};  // [m]
+  if (Contains(kPlaces, value)) return;
+  throw InputError(std::string(name) + " must be " + InWords(kPlaces) + " m, got " +
                    softsoil::Shown(value));
 }
 

@@ -114,11 +114,10 @@ ColumnBatch Columns::Geometry(const std::vector<Visit>& visits, const SurfaceLoa
     batch.surface_pressure.push_back(own != pressure.end() ? own->second : 0.0);
 
     const Tile& tile = *tiles_.Find(visits[i].tile);
-    const double mass = settings_.volume_height * soil_.compaction.initial_density;  // [kg/m^2]
     double bottom = tile.base[visits[i].place];
     for (int k = settings_.volumes - 1; k >= 0; --k) {
       const double height =
-          mass / tile.density[std::size_t(visits[i].place) * settings_.volumes + k];
+          VolumeMass() / tile.density[std::size_t(visits[i].place) * settings_.volumes + k];
       batch.z[i * settings_.volumes + k] = bottom + height / 2;
       bottom += height;
     }
@@ -128,7 +127,6 @@ ColumnBatch Columns::Geometry(const std::vector<Visit>& visits, const SurfaceLoa
 
 double Columns::Compact(const Visit& visit, const float* stress, double period) {
   Tile& tile = *tiles_.Find(visit.tile);
-  const double mass = settings_.volume_height * soil_.compaction.initial_density;  // [kg/m^2]
   const double area = settings_.spacing * settings_.spacing;
   double energy = 0;
   for (int k = 0; k < settings_.volumes; ++k) {
@@ -136,7 +134,7 @@ double Columns::Compact(const Visit& visit, const float* stress, double period) 
     SoilVolume volume = tile.Load(index);
     const double before = volume.density;
     softsoil::Advance(soil_.compaction, stress[k], period, volume);
-    energy += CompactionEnergy(stress[k], before, volume.density) * area * mass / before;
+    energy += CompactionEnergy(stress[k], before, volume.density) * area * VolumeMass() / before;
     tile.Store(index, volume);
   }
   return energy;

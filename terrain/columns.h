@@ -59,6 +59,8 @@ class Columns {
   // Returns the compaction energy [J].
   double Compact(const Visit& visit, const float* stress, double period);
   double Sinkage(const Visit& visit) const;
+  // Mass [kg/m^2] of a volume per area of its column; compaction does not change it.
+  double VolumeMass() const { return settings_.volume_height * soil_.compaction.initial_density; }
   Tile& Touch(TileIndex index);
 
   Soil soil_;

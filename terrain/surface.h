@@ -9,6 +9,10 @@
 
 namespace softsoil {
 
+// How far [m] from the origin the ground reaches along x and y: grid indices stay far from
+// overflow.
+constexpr double kFarthest = 1e6;
+
 // Height [m] of the ground before any wheel came, at x, y [m].
 using UndisturbedHeight = std::function<double(double x, double y)>;
 

@@ -6,8 +6,6 @@
 #include <filesystem>
 #include <system_error>
 
-#include "terrain/point_load.h"
-
 namespace softsoil {
 namespace {
 

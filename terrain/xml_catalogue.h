@@ -84,9 +84,9 @@ class Catalogue {
   // Throws InputError that lists the known names.
   const Entry& Find(const std::string& name) const {
     if (const Entry* entry = Lookup(name)) return *entry;
-    std::string known;
-    for (const Entry& entry : entries_) known += (known.empty() ? "" : ", ") + entry.name;
-    throw InputError("unknown " + kind_ + " \"" + name + "\"; known are: " + known);
+    std::vector<std::string> known;
+    for (const Entry& entry : entries_) known.push_back(entry.name);
+    throw InputError("unknown " + kind_ + " \"" + name + "\"; known are: " + Listed(known));
   }
   const std::vector<Entry>& entries() const { return entries_; }
 

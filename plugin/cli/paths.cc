@@ -62,13 +62,13 @@ std::vector<Scene> ShippedScenes() {
 std::string SceneFile(const std::string& scene) {
   std::error_code ignored;
   if (fs::is_regular_file(scene, ignored)) return scene;
-  std::string known;
+  std::vector<std::string> known;
   for (const Scene& shipped : ShippedScenes()) {
     if (shipped.name == scene) return shipped.file;
-    known += (known.empty() ? "" : ", ") + shipped.name;
+    known.push_back(shipped.name);
   }
   throw InputError("unknown scene \"" + scene + "\": neither an MJCF file nor one of the shipped " +
-                   "scenes: " + known);
+                   "scenes: " + Listed(known));
 }
 
 }  // namespace softsoil

@@ -2,6 +2,7 @@
 #include <benchmark/benchmark.h>
 
 #include "terrain/stress_field.h"
+#include "tests/benchmark/threads.h"
 
 namespace softsoil {
 namespace {
@@ -46,12 +47,7 @@ void BM_DirectStress(benchmark::State& state) {
   state.counters["pairs/s"] = benchmark::Counter(static_cast<double>(stress.size()) * load.size(),
                                                  benchmark::Counter::kIsIterationInvariantRate);
 }
-BENCHMARK(BM_DirectStress)
-    ->ArgName("threads")
-    ->Arg(1)
-    ->Arg(2)
-    ->UseRealTime()
-    ->Unit(benchmark::kMillisecond);
+BENCHMARK(BM_DirectStress)->Apply(OnOneAndTwoThreads);
 
 }  // namespace
 }  // namespace softsoil

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "contact/soft_wheels.h"
+#include "tests/benchmark/threads.h"
 
 namespace softsoil {
 namespace {
@@ -84,12 +85,7 @@ void BM_SoilTick(benchmark::State& state) {
   }
   state.counters["volumes"] = static_cast<double>(ground.VolumeCount());
 }
-BENCHMARK(BM_SoilTick)
-    ->ArgName("threads")
-    ->Arg(1)
-    ->Arg(2)
-    ->UseRealTime()
-    ->Unit(benchmark::kMillisecond);
+BENCHMARK(BM_SoilTick)->Apply(OnOneAndTwoThreads);
 
 }  // namespace
 }  // namespace softsoil
