@@ -7,7 +7,8 @@ repo=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 
 packages=(
   build-essential cmake ninja-build
-  libmujoco-dev libmujoco-samples libeigen3-dev libtinyxml2-dev libcli11-dev nlohmann-json3-dev
+  libmujoco-dev libmujoco-samples libeigen3-dev libboost-dev libtinyxml2-dev libcli11-dev
+  nlohmann-json3-dev
   libgtest-dev libgmock-dev libbenchmark-dev
   python3 python3-numpy python3-matplotlib
   xvfb xauth libegl1 libgl1-mesa-dri libosmesa6
