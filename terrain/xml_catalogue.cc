@@ -76,6 +76,10 @@ bool XmlEntry::Has(const char* element) const {
   return element_.FirstChildElement(element) != nullptr;
 }
 
+bool XmlEntry::Has(const char* element, const char* name) const {
+  return Has(element) && element_.FirstChildElement(element)->Attribute(name) != nullptr;
+}
+
 const tinyxml2::XMLElement& XmlEntry::Child(const char* element) const {
   const tinyxml2::XMLElement* child = element_.FirstChildElement(element);
   if (child == nullptr) Refuse(std::string("element <") + element + "> is missing");
