@@ -1,0 +1,8 @@
+#!/usr/bin/env bash
+# Reruns every experiment, Wong-Reece case, tire fit and soil volume that the thesis prints and writes
+# build/validation/table.md, measured against computed, with pictures. About two minutes.
+set -euo pipefail
+cd "$(dirname "${BASH_SOURCE[0]}")/.."
+source tests/setup.sh
+use_softsoil softsoil_validation
+PYTHONDONTWRITEBYTECODE=1 python3 examples/validation/run.py build/validation
