@@ -16,8 +16,8 @@
 
 namespace softsoil {
 
-// [-]  5 clay / 73.3, fitted: all five soils within the rounding of the print.
-inline double ClayIndex(const Texture& soil) { return 5 * soil.clay / 73.3; }
+// [-]  Fitted: all five soils within the rounding of the print, which leaves 14.650 to 14.653.
+inline double ClayIndex(const Texture& soil) { return soil.clay / 14.652; }
 
 // [m]  Fitted: five soils, three numbers, within 0.0025 mm of what is printed or follows from the
 // grain size index. The coefficients are middles of the sand, silt and clay classes.

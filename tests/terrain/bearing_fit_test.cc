@@ -22,7 +22,7 @@ constexpr double kK1 = 20e3, kK2 = 400e3;  // Reece form [Pa], [Pa/m]
 PlateSinkage Pressed(std::vector<double> widths, double (*pressure)(double b, double z)) {
   PlateSinkage test;
   for (double b : widths) {
-    for (double z = 0; z < 0.151; z += 0.01) {
+    for (double z = 0; z < 0.1501; z += 0.0025) {
       test.width.push_back(b);
       test.sinkage.push_back(z);
       test.pressure.push_back(pressure(b, z));
@@ -62,14 +62,14 @@ double WorstError(const BearingFit& fit) {
                    std::abs(fit.exponent.value / kN - 1)});
 }
 
-// 15 readings for each of two plates, each off by a normal error of 2 % of itself, seeds 1 to 100:
-// the parameters are within 5 % in most experiments, and by far on average.
+// 60 readings for each of three plates, each off by a normal error of 2 % of itself, seeds 1 to
+// 100. k_c, a difference of plates, is the worst.
 TEST(FitBearing, IsWithinFivePercentUnderTwoPercentNoise) {
   int close = 0;
   double sum = 0;
   for (unsigned seed = 1; seed <= 100; ++seed) {
     Noise noise(seed);
-    PlateSinkage test = TwoPlates();
+    PlateSinkage test = Pressed({0.05, 0.15, 0.3}, Bekker);
     test.pressure = WithRelativeNoise(test.pressure, 0.02, &noise);
     const double error = WorstError(FitBearing(test));
     sum += error;
