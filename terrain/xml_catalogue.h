@@ -27,7 +27,10 @@ class XmlEntry {
   // The text of an attribute; one of `allowed` unless that is empty.
   std::string Text(const char* element, const char* name,
                    const std::vector<std::string>& allowed = {});
+  // Numbers between blanks, one at least, each in the range.
+  std::vector<double> Numbers(const char* element, const char* name, const char* unit, Range range);
   bool Has(const char* element) const;
+  bool Has(const char* element, const char* name) const;
 
   // Fills the fields of a table.
   template <class Entry>
@@ -46,6 +49,8 @@ class XmlEntry {
  private:
   [[noreturn]] void Refuse(const tinyxml2::XMLElement& at, const std::string& rule) const;
   const tinyxml2::XMLElement& Child(const char* element) const;
+  double Parsed(const std::string& text, const char* element, const char* name, const char* unit,
+                Range range) const;
   const char* Value(const char* element, const char* name);
 
   std::string file_;
