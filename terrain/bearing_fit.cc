@@ -99,24 +99,39 @@ double StartExponent(const PlateSinkage& test) {
   return covariance / variance;
 }
 
+// A fit in units of its own.
+struct ScaledFit {
+  Fit fit;
+  VectorXd scale;   // of the parameters
+  double pressure;  // [Pa]  of the residuals
+};
+
 // Moduli and exponent; in units of `scale` and of the largest pressure, so that steps of the search
 // and of its derivatives suit all of them.
-Fit FitPowerLaw(const PowerLaw& law, double n_start, VectorXd* scale) {
+ScaledFit FitPowerLaw(const PowerLaw& law, double n_start) {
   const double largest = law.p.maxCoeff();
   const auto moduli = law.factors.cols();
   const MatrixXd at_start = law.s.array().pow(n_start).matrix().asDiagonal() * law.factors;
-  *scale = VectorXd::Ones(moduli + 1);
-  scale->head(moduli) = largest * at_start.colwise().maxCoeff().cwiseInverse().transpose();
+  VectorXd scale = VectorXd::Ones(moduli + 1);
+  scale.head(moduli) = largest * at_start.colwise().maxCoeff().cwiseInverse().transpose();
 
   VectorXd start(moduli + 1);
-  start << at_start.colPivHouseholderQr().solve(law.p).cwiseQuotient(scale->head(moduli)), n_start;
+  start << at_start.colPivHouseholderQr().solve(law.p).cwiseQuotient(scale.head(moduli)), n_start;
   const auto residuals = [&](const VectorXd& u) -> VectorXd {
-    const VectorXd modulus = law.factors * u.head(moduli).cwiseProduct(scale->head(moduli));
+    const VectorXd modulus = law.factors * u.head(moduli).cwiseProduct(scale.head(moduli));
     return (modulus.array() * law.s.array().pow(u[moduli]) - law.p.array()) / largest;
   };
-  Fit fit = LeastSquares(residuals, start, static_cast<int>(law.p.size()));
-  fit.rms *= largest;
-  return fit;
+  return {LeastSquares(residuals, start, static_cast<int>(law.p.size())), scale, largest};
+}
+
+// The frictional modulus and the exponent are the last two parameters.
+void Store(const ScaledFit& scaled, BearingFit* result) {
+  const int last = static_cast<int>(scaled.scale.size()) - 1;
+  const auto parameter = [&](int i) { return FittedParameter(scaled.fit, i, scaled.scale[i]); };
+  result->cohesive = last == 2 ? parameter(0) : HeldAt(0);
+  result->frictional = parameter(last - 1);
+  result->exponent = parameter(last);
+  result->rms = scaled.fit.rms * scaled.pressure;
 }
 
 void RequirePositive(const char* name, double value) {
@@ -126,11 +141,8 @@ void RequirePositive(const char* name, double value) {
 }
 
 double PressureOf(const BearingFit& fit, double b, double z) {
-  if (z <= 0) return 0;
-  const double n = fit.exponent.value;
-  return fit.form == BearingForm::kReece
-             ? (fit.cohesive.value + fit.frictional.value * b) * std::pow(z / b, n)
-             : (fit.cohesive.value / b + fit.frictional.value) * std::pow(z, n);
+  const Bearing bearing{fit.cohesive.value, fit.frictional.value, fit.exponent.value, fit.form};
+  return BearingPressure(BearingModulus(bearing, b), bearing.n, z);
 }
 
 }  // namespace
@@ -153,40 +165,29 @@ PlateSinkage ReadPlateSinkage(const std::string& file) {
 }
 
 BearingFit FitBearing(const PlateSinkage& test, BearingForm form) {
-  const auto plates = RowsByValue(test.width);
-  if (plates.size() == 1 && form == BearingForm::kReece) {
+  BearingFit result{};
+  result.form = form;
+  for (const auto& plate : RowsByValue(test.width)) result.widths.push_back(plate.first);
+  const bool one_width = result.widths.size() == 1;
+  if (one_width && form == BearingForm::kReece) {
     throw InputError("one plate width, " + Shown(test.width[0]) +
                      " m, does not determine k_1 and k_2; test a second one");
   }
-  BearingFit result{};
-  result.form = form;
-  for (const auto& plate : plates) result.widths.push_back(plate.first);
-  result.basis = plates.size() == 1 ? CohesiveModulus::kUnknown : CohesiveModulus::kFitted;
-
   PowerLaw law = LawOf(test, form);
-  const MatrixXd both = law.factors;
   const double n_start = StartExponent(test);
-  VectorXd scale;
-  Fit fit;
-  if (result.basis == CohesiveModulus::kFitted) {
-    fit = FitPowerLaw(law, n_start, &scale);
-    result.cohesive = FittedParameter(fit, 0, scale[0]);
-    if (result.cohesive.value < 0) {
-      result.basis = CohesiveModulus::kHeldAtZero;
-      result.free_cohesive = result.cohesive.value;
-    }
+  if (!one_width) {
+    Store(FitPowerLaw(law, n_start), &result);
+    if (result.cohesive.value < 0) result.basis = CohesiveModulus::kHeldAtZero;
+    result.free_cohesive = result.cohesive.value;
+  } else {
+    result.basis = CohesiveModulus::kUnknown;
   }
   if (result.basis != CohesiveModulus::kFitted) {
-    law.factors = both.rightCols(1);
-    fit = FitPowerLaw(law, n_start, &scale);
-    result.cohesive = HeldAt(0);
+    law.factors = MatrixXd(law.factors.rightCols(1));
+    Store(FitPowerLaw(law, n_start), &result);
   }
-  const auto last = fit.parameters.size() - 1;
-  result.frictional = FittedParameter(fit, static_cast<int>(last) - 1, scale[last - 1]);
-  result.exponent = FittedParameter(fit, static_cast<int>(last), 1);
   RequirePositive(form == BearingForm::kReece ? "k_2" : "k_phi", result.frictional.value);
   RequirePositive("n", result.exponent.value);
-  result.rms = fit.rms;
   for (std::size_t row = 0; row < test.width.size(); ++row) {
     result.fitted.push_back(PressureOf(result, test.width[row], test.sinkage[row]));
   }

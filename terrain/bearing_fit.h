@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "terrain/bearing.h"
 #include "terrain/fitted.h"
 
 namespace softsoil {
@@ -21,10 +22,6 @@ struct PlateSinkage {
 // 5 % of the largest of that plate (noise may let it fall a little); a pressure without sinkage.
 PlateSinkage ReadPlateSinkage(const std::string& file);
 
-//   kBekker  p = (k_c / b + k_phi) z^n        Bekker (1969); Madsen (2014) equation 2.1
-//   kReece   p = (k_1 + k_2 b) (z / b)^n      Reece (1965); equation 2.2
-enum class BearingForm { kBekker, kReece };
-
 // What decided the cohesive modulus.
 enum class CohesiveModulus {
   kFitted,      // two or more widths
@@ -33,7 +30,7 @@ enum class CohesiveModulus {
 };
 
 struct BearingFit {
-  BearingForm form;
+  BearingForm form;  // p = (k_c/b + k_phi) z^n or p = (k_1 + k_2 b) (z/b)^n
   CohesiveModulus basis;
   Fitted cohesive;             // k_c [N/m^(n+1)] or k_1 [Pa]
   Fitted frictional;           // k_phi [N/m^(n+2)] or k_2 [Pa/m]
