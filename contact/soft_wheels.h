@@ -17,6 +17,7 @@ class SoftWheels {
 
   int size() const { return static_cast<int>(wheels_.size()); }
   const Tire& tire(int wheel) const { return wheels_[wheel].tire(); }
+  const TireNodes& nodes(int wheel) const { return wheels_[wheel].nodes(); }
   Ground& ground() { return ground_; }
   const Ground& ground() const { return ground_; }
 

@@ -64,6 +64,7 @@ class WheelContact {
   WheelContact(const Tire& tire, double node_spacing);
 
   const Tire& tire() const { return tire_; }
+  const TireNodes& nodes() const { return nodes_; }
 
   // Forces at a pose, if the state is held for the step h [s]. Throws std::runtime_error if the
   // pose is not finite or more than 1000 km away.

@@ -3,29 +3,14 @@
 #include <algorithm>
 #include <cmath>
 
+#include "contact/wheel_axes.h"
+
 namespace softsoil {
 namespace {
 
 using Eigen::Vector3d;
 
 constexpr double kSlowest = 0.01;  // [m/s]  below it slip is not asked for its direction
-
-// The W axes of a wheel on the undisturbed ground below it.
-struct Axes {
-  Axes(const Vector3d& spin_axis_w, const Vector3d& ground_normal_w) : up(ground_normal_w) {
-    const Vector3d ahead = spin_axis_w.cross(up);
-    const double length = ahead.norm();
-    forward = length > 1e-9 ? Vector3d(ahead / length) : up.unitOrthogonal();  // lies on its side
-    left = up.cross(forward);
-  }
-  Vector3d forward, left, up;
-};
-
-Vector3d GroundNormal(const TirePose& pose, const SurfacePatch& patch) {
-  if (patch.nodes_x() == 0) return Vector3d::UnitZ();  // nothing was evaluated yet
-  const SurfacePoint ground = patch.At(pose.centre_w.x(), pose.centre_w.y());
-  return Vector3d(-ground.undisturbed_x, -ground.undisturbed_y, 1).normalized();
-}
 
 double DeepestSurface(const TirePose& pose, const TireShape& shape, const SurfacePatch& patch) {
   const Vector3d axis = pose.frame_w.col(1);
@@ -45,14 +30,15 @@ double DeepestSurface(const TirePose& pose, const TireShape& shape, const Surfac
 
 WheelReport ReportOf(const Tire& tire, const TirePose& pose, const PatchForces& forces) {
   const Vector3d axis = pose.frame_w.col(1);
-  const Axes axes(axis, GroundNormal(pose, forces.patch));
+  const WheelAxes axes = WheelAxesOf(pose, forces.patch);
   WheelReport report{};
-  report.load = forces.wrench.force_w.dot(axes.up);
+  report.load = forces.wrench.force_w.dot(axes.up_w);
   report.rut_depth = DeepestSurface(pose, tire.shape, forces.patch);
-  report.camber = std::asin(std::clamp(axis.dot(axes.up), -1.0, 1.0));
+  report.camber = std::asin(std::clamp(axis.dot(axes.up_w), -1.0, 1.0));
   report.spin = pose.angular_velocity_w.dot(axis);
 
-  const double forward = pose.velocity_w.dot(axes.forward), left = pose.velocity_w.dot(axes.left);
+  const double forward = pose.velocity_w.dot(axes.forward_w),
+               left = pose.velocity_w.dot(axes.left_w);
   const double rolling = tire.shape.radius * report.spin;
   // On the spot the wheel shows which way it goes: creeping back, it is driven all the same.
   const double speed =
@@ -63,8 +49,8 @@ WheelReport ReportOf(const Tire& tire, const TirePose& pose, const PatchForces& 
       std::hypot(left, forward) >= kSlowest ? std::atan2(left, std::abs(forward)) : 0;
 
   for (const NodeContact& c : forces.contacts) {
-    report.thrust += c.shear_force_w.dot(axes.forward);
-    report.motion_resistance -= c.normal_force_w.dot(axes.forward);
+    report.thrust += c.shear_force_w.dot(axes.forward_w);
+    report.motion_resistance -= c.normal_force_w.dot(axes.forward_w);
     report.sinkage = std::max(report.sinkage, c.depth);
     report.contact_area += c.area;
     report.mean_pressure += c.pressure * c.area;
@@ -72,7 +58,7 @@ WheelReport ReportOf(const Tire& tire, const TirePose& pose, const PatchForces& 
   }
   if (report.contact_area > 0) report.mean_pressure /= report.contact_area;
   report.drawbar_pull = report.thrust - report.motion_resistance;
-  report.lateral_force = forces.wrench.force_w.dot(axes.left);
+  report.lateral_force = forces.wrench.force_w.dot(axes.left_w);
   report.torque = -forces.wrench.torque_w.dot(axis);
   return report;
 }

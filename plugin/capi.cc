@@ -3,6 +3,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "contact/patch_report.h"
 #include "plugin/host.h"
 #include "plugin/registry.h"
 #include "plugin/softsoil.h"
@@ -65,6 +66,13 @@ void Copy(const Eigen::Vector3d& from, double* to) {
   for (int k = 0; k < 3; ++k) to[k] = from[k];
 }
 
+void RequireWheel(const SoilBinding& soil, int wheel) {
+  const int count = soil.soft_wheels().size();
+  if (wheel >= 0 && wheel < count) return;
+  throw InputError("wheel must be 0 to " + std::to_string(count - 1) + ", got " +
+                   std::to_string(wheel));
+}
+
 softsoilWheel WheelResult(const SoilBinding& soil, int wheel) {
   const softsoil::Wheel& known = soil.plan().wheels[wheel];
   const softsoil::TirePose& pose = soil.pose(wheel);
@@ -96,6 +104,21 @@ softsoilWheel WheelResult(const SoilBinding& soil, int wheel) {
   Copy(pose.centre_w, result.centre);
   Copy(forces.wrench.force_w, result.force);
   Copy(forces.wrench.torque_w, result.torque_at_centre);
+  return result;
+}
+
+softsoilContact ContactResult(const softsoil::PatchPoint& point) {
+  softsoilContact result = {};
+  Copy(point.position_w, result.position);
+  Copy(point.normal_force_w, result.normal_force);
+  Copy(point.shear_force_w, result.shear_force);
+  result.angle = point.angle;
+  result.lateral = point.lateral;
+  result.pressure = point.pressure;
+  result.shear = point.shear;
+  result.shear_across = point.shear_across;
+  result.area = point.area;
+  result.depth = point.depth;
   return result;
 }
 
@@ -163,12 +186,21 @@ int softsoil_wheel(const mjData* d, int wheel, softsoilWheel* result) {
   return Fenced([&] {
     Require(result, "result");
     const std::shared_ptr<SoilBinding> soil = SoilOf(d);
-    const int count = soil->soft_wheels().size();
-    if (wheel < 0 || wheel >= count) {
-      throw InputError("wheel must be 0 to " + std::to_string(count - 1) + ", got " +
-                       std::to_string(wheel));
-    }
+    RequireWheel(*soil, wheel);
     *result = WheelResult(*soil, wheel);
+  });
+}
+
+int softsoil_visit_contacts(const mjData* d, int wheel, softsoilContactVisitor visit, void* user) {
+  return Fenced([&] {
+    const std::shared_ptr<SoilBinding> soil = SoilOf(d);
+    RequireWheel(*soil, wheel);
+    if (visit == nullptr) throw InputError("visit must not be NULL");
+    for (const softsoil::PatchPoint& point :
+         PatchReportOf(soil->soft_wheels().nodes(wheel), soil->pose(wheel), soil->forces(wheel))) {
+      const softsoilContact contact = ContactResult(point);
+      visit(user, &contact);
+    }
   });
 }
 

@@ -61,6 +61,22 @@ typedef struct softsoilWheel_ {
   double force[3], torque_at_centre[3];  // [N], [N m]  of the ground on the wheel, world axes
 } softsoilWheel;
 
+// A node of a tire that touches the ground; forces and stresses of the ground on the wheel.
+// Definitions: contact/patch_report.h.
+typedef struct softsoilContact_ {
+  double position[3];         // [m]   of the deformed tire, world axes
+  double normal_force[3];     // [N]   from the pressure, world axes
+  double shear_force[3];      // [N]   world axes
+  double angle;               // [rad] along the circumference from the lowest point of the wheel,
+                              //       along the normal of the ground; positive ahead
+  double lateral;             // [m]   from the middle plane, positive to the left
+  double pressure;            // [Pa]
+  double shear;               // [Pa]  along the circumference, positive where it drives forward
+  double shear_across;        // [Pa]  across the tread, positive to the left
+  double area;                // [m^2]
+  double depth;               // [m]   below the undisturbed ground
+} softsoilContact;
+
 typedef struct softsoilGround_ {
   const char* soil;           // name in the catalogue; lives as long as the soil
   double grid_spacing;        // [m]
@@ -97,6 +113,12 @@ SOFTSOIL_API int softsoil_wheel_count(const mjData* d);
 
 // Results of the last evaluation of a wheel, 0 to count - 1.
 SOFTSOIL_API int softsoil_wheel(const mjData* d, int wheel, softsoilWheel* result);
+
+// Calls visit() for every tire node of a wheel that touched the ground at the last evaluation, in a
+// fixed order. None in the air.
+typedef void (*softsoilContactVisitor)(void* user, const softsoilContact* contact);
+SOFTSOIL_API int softsoil_visit_contacts(const mjData* d, int wheel, softsoilContactVisitor visit,
+                                         void* user);
 
 // Height [m] of the surface at x, y [m], each -1e6 to 1e6.
 SOFTSOIL_API int softsoil_height(const mjData* d, double x, double y, double* height);

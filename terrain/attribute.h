@@ -31,6 +31,7 @@ struct Attribute {
   Range range;
   const char* meaning;
   double& (*field)(Entry&);
+  bool optional = false;  // zero where it is left out
 };
 
 }  // namespace softsoil

@@ -32,10 +32,11 @@ class XmlEntry {
   bool Has(const char* element) const;
   bool Has(const char* element, const char* name) const;
 
-  // Fills the fields of a table.
+  // Fills the fields of a table. What is optional and left out stays as it is.
   template <class Entry>
   void Fill(const std::vector<Attribute<Entry>>& table, Entry& entry) {
     for (const Attribute<Entry>& a : table) {
+      if (a.optional && !Has(a.element, a.name)) continue;
       a.field(entry) = Number(a.element, a.name, a.unit, a.range) * a.to_si;
     }
   }

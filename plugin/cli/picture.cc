@@ -55,11 +55,12 @@ std::string PythonThatPlots() {
       "python3-matplotlib), and none was found; --no-picture runs without");
 }
 
-void DrawTerrain(const std::string& python, const std::string& folder) {
-  const std::string script = ShareFolder() + "/plot/terrain.py";
-  const int status = Execute({python, script, folder}, Messages::kShown);
-  if (status != 0) {
-    throw std::runtime_error(folder + "/terrain.png: " + script + " failed with exit status " +
+void DrawPictures(const std::string& python, const std::string& folder) {
+  for (const std::string name : {"terrain", "contact"}) {
+    const std::string script = ShareFolder() + "/plot/" + name + ".py";
+    const int status = Execute({python, script, folder}, Messages::kShown);
+    if (status == 0) continue;
+    throw std::runtime_error(folder + "/" + name + ".png: " + script + " failed with exit status " +
                              std::to_string(status));
   }
 }

@@ -9,7 +9,8 @@ namespace softsoil {
 // system, or the first in PATH. Throws InputError if none has.
 std::string PythonThatPlots();
 
-// Draws <folder>/terrain.png from the other files of the run. Throws std::runtime_error.
-void DrawTerrain(const std::string& python, const std::string& folder);
+// Draws <folder>/terrain.png and contact.png from the other files of the run. Throws
+// std::runtime_error.
+void DrawPictures(const std::string& python, const std::string& folder);
 
 }  // namespace softsoil

@@ -97,6 +97,15 @@ std::vector<softsoilWheel> Simulation::Wheels() const {
   return wheels;
 }
 
+std::vector<softsoilContact> Simulation::Contacts(int wheel) const {
+  std::vector<softsoilContact> contacts;
+  const auto append = [](void* user, const softsoilContact* contact) {
+    static_cast<std::vector<softsoilContact>*>(user)->push_back(*contact);
+  };
+  Require(softsoil_visit_contacts(data_, wheel, append, &contacts));
+  return contacts;
+}
+
 softsoilGround Simulation::Ground() const {
   softsoilGround ground;
   Require(softsoil_ground(data_, &ground));

@@ -35,6 +35,7 @@ class Simulation {
   void EvaluateWheels();
 
   std::vector<softsoilWheel> Wheels() const;
+  std::vector<softsoilContact> Contacts(int wheel) const;
   softsoilGround Ground() const;
   void VisitSurface(softsoilVisitor visit, void* user) const;
 

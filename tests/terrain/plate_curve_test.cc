@@ -5,9 +5,9 @@
 namespace softsoil {
 namespace {
 
-// LETE sand springs back: A_u 503 MN/m^4, k_0 0 (Wong 1989). Its bearing as in the catalogue.
-constexpr Unloading kLeteUnloading{0, 503e6};
-const PlateCurve kLete = CurveUnder({102e3, 5301e3, 0.79}, kLeteUnloading, 0.3);
+// A sand that bears as LETE sand in the catalogue and springs back.
+constexpr Unloading kSandUnloading{0, 503e6};
+const PlateCurve kSand = CurveUnder({102e3, 5301e3, 0.79}, kSandUnloading, 0.3);
 const PlateCurve kRigid = CurveUnder({102e3, 5301e3, 0.79}, {}, 0.3);
 
 // From stiff to soft springing back, exponents on both sides of 1.
@@ -23,10 +23,10 @@ std::vector<PlateCurve> Curves() {
 
 // p = p_u - k_u (z_u - z), k_u = k_0 + A_u z_u.
 TEST(Unloading, FollowsTheStraightLineOfWong) {
-  const double z_u = 0.08, p_u = BearingPressure(kLete.k_e, kLete.n, z_u), k_u = 503e6 * z_u;
-  const double z_r = ResidualDepth(kLete, z_u);
+  const double z_u = 0.08, p_u = BearingPressure(kSand.k_e, kSand.n, z_u), k_u = 503e6 * z_u;
+  const double z_r = ResidualDepth(kSand, z_u);
   EXPECT_NEAR(z_r, z_u - p_u / k_u, 1e-15);
-  const PlaceInSoil place = PlaceAt(kLete, z_r);
+  const PlaceInSoil place = PlaceAt(kSand, z_r);
   EXPECT_NEAR(place.z_u, z_u, 1e-9);
   for (double z : {0.062, 0.07, 0.079}) {
     EXPECT_NEAR(PressureAt(place, z).value, p_u - k_u * (z_u - z), 1e-6 * p_u) << z;
