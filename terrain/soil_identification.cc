@@ -84,13 +84,6 @@ class Identification {
   }
   std::string AsOfAnother() const { return "not identified: as of " + like_.name; }
 
-  std::string CompositionInWords() const {
-    const std::string shares = InWords(evidence_.composition->texture);
-    return evidence_.uscs != nullptr
-               ? std::string("USCS ") + evidence_.uscs->name + " (" + shares + ")"
-               : shares;
-  }
-
   void Indices();
   void Bearing();
   void Shear();
@@ -109,20 +102,22 @@ class Identification {
 void Identification::Indices() {
   if (!evidence_.composition) return;
   const Composition& soil = *evidence_.composition;
+  const UscsSoil* uscs = evidence_.uscs;
+  result_.composition = InWords(soil.texture);
+  if (uscs != nullptr) {
+    result_.composition = std::string("USCS ") + uscs->name + ", " + result_.composition;
+  }
   for (const auto& [name, value] : {std::pair("clay index", soil.clay_index),
                                     std::pair("grain size index", soil.grain_size_index)}) {
     Finding finding = Estimated(name);
-    if (evidence_.uscs != nullptr) {
-      finding = {name, value, "", 0, "printed", evidence_.uscs->source, ""};
-    }
+    if (uscs != nullptr) finding = {name, value, "", 0, "printed", uscs->source, ""};
     Report(finding);
   }
-  if (evidence_.uscs != nullptr) result_.findings.back().warning = evidence_.uscs->caution;
 }
 
 void Identification::Bearing() {
   if (!evidence_.bearing) return OfAnother("bearing");
-  const auto& [fit, from] = *evidence_.bearing;
+  const auto& [fit, from, summary] = *evidence_.bearing;
   const bool reece = fit.form == BearingForm::kReece;
   soil().bearing.form = fit.form;
   const char* cohesive = reece ? "k_1" : "k_c";
@@ -146,7 +141,7 @@ void Identification::Bearing() {
     SetFitted("bearing", frictional, fit.frictional, from);
   }
   SetFitted("bearing", "n", fit.exponent, from);
-  SourceOf("bearing") = "least squares of plate-sinkage tests, " + from;
+  SourceOf("bearing") = "least squares of plate-sinkage tests, " + summary;
 }
 
 void Identification::Shear() {
@@ -156,10 +151,10 @@ void Identification::Shear() {
     Set("shear", "cohesion", Estimated("cohesion"));
     Set("shear", "friction_angle_deg", Estimated("friction angle"));
     Set("shear", "modulus", Estimated("shear modulus"));
-    SourceOf("shear") = "relations fitted to soils of Madsen 2014, 3.3, at " + CompositionInWords();
+    SourceOf("shear") = "relations fitted to soils of Madsen 2014, 3.3, at " + result_.composition;
     return;
   }
-  const auto& [fit, from] = *evidence_.shear;
+  const auto& [fit, from, summary] = *evidence_.shear;
   const auto held = [&](StrengthBound bound, double factor) {
     if (fit.bound != bound) return std::string();
     return "held at 0: the readings ask for " + Rounded(fit.free_value / factor, 4) +
@@ -174,7 +169,7 @@ void Identification::Shear() {
   SetFitted("shear", "friction_angle_deg", fit.friction_angle, from,
             held(StrengthBound::kNoFriction, kDegree));
   SetFitted("shear", "modulus", fit.modulus, from, curves);
-  SourceOf("shear") = "least squares of shear tests, " + from;
+  SourceOf("shear") = "least squares of shear tests, " + summary;
 }
 
 void Identification::Compaction() {
@@ -207,13 +202,16 @@ void Identification::Compaction() {
 void Identification::VirginCurve() {
   soil().compaction.moisture_shift = 0;
   Set("compaction", "index", Estimated("compression index"));
-  Set("compaction", "reference_density", Estimated("reference density"));
+  Finding density = Estimated("reference density");
+  if (evidence_.uscs != nullptr && *evidence_.uscs->caution != '\0') {
+    density.warning += (density.warning.empty() ? "" : "; ") + std::string(evidence_.uscs->caution);
+  }
+  Set("compaction", "reference_density", density);
   Set("compaction", "reference_stress",
       {"", kReferenceStress, "", 0, "printed", "Madsen 2014, 3.3", ""});
   Set("compaction", "rebound_index", Estimated("rebound index"));
   SourceOf("compaction") = "relations of Madsen 2014, 3.3 (rebound index: equation 3.9; others " +
-                           std::string("fitted to soils printed there), at ") +
-                           CompositionInWords();
+                           std::string("fitted to soils printed there), at ") + result_.composition;
 }
 
 void Identification::Moisten() {
@@ -232,7 +230,7 @@ void Identification::Moisten() {
   Report({"moisture shift", soil().compaction.moisture_shift, "kg/m^3", 0, "equation 3.5",
           "saturation " + Shown(actual) + ", reference " + Shown(reference), ""});
   SourceOf("moisture") =
-      "slope: line through CH and ML of Madsen 2014, 3.3, at " + CompositionInWords();
+      "slope: line through CH and ML of Madsen 2014, 3.3, at " + result_.composition;
 }
 
 void Identification::InitialDensity() {

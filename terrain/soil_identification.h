@@ -13,11 +13,12 @@
 
 namespace softsoil {
 
-// A value and the words that say where it comes from.
-template <class Value>
-struct Known {
-  Value value;
-  std::string from;
+// What was fitted to a test: its file, and a line about it.
+template <class Fit>
+struct Tested {
+  Fit fit;
+  std::string file;
+  std::string summary;
 };
 
 // Degree of saturation of the pores with water, 0 to 1: actual and of the virgin curve.
@@ -30,9 +31,9 @@ struct SoilEvidence {
   const UscsSoil* uscs = nullptr;        // whose composition it is, if a class was named
   std::optional<double> bulk_density;    // [kg/m^3]
   std::optional<Saturation> saturation;  // needs a composition
-  std::optional<Known<BearingFit>> bearing;
+  std::optional<Tested<BearingFit>> bearing;
   bool is_frictional = false;  // of a test with one plate: take k_c = 0
-  std::optional<Known<ShearFit>> shear;
+  std::optional<Tested<ShearFit>> shear;
   std::optional<Soil> like;  // gives every group that nothing else gives
 };
 
@@ -50,6 +51,7 @@ struct Finding {
 struct IdentifiedSoil {
   SoilEntry entry;  // complete if nothing is missing
   std::vector<Finding> findings;
+  std::string composition;           // in words; empty if it is not known
   std::vector<std::string> missing;  // elements of the entry that nothing gives: "bearing"
 };
 

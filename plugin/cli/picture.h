@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 namespace softsoil {
 
@@ -12,5 +13,10 @@ std::string PythonThatPlots();
 // Draws <folder>/terrain.png and contact.png from the other files of the run. Throws
 // std::runtime_error.
 void DrawPictures(const std::string& python, const std::string& folder);
+
+// Runs share/softsoil/plot/<script> with these arguments, to draw `picture`. Throws
+// std::runtime_error.
+void Draw(const std::string& python, const std::string& script,
+          const std::vector<std::string>& arguments, const std::string& picture);
 
 }  // namespace softsoil

@@ -57,13 +57,15 @@ void AddState(const SoilOptions& options, SoilEvidence* evidence) {
   }
 }
 
+std::string FileName(const std::string& path) { return fs::path(path).filename().string(); }
+
 // "tests.csv: 40 rows, plates of 0.05, 0.3 m, rms 2100 Pa"
 std::string Described(const std::string& file, std::size_t rows, const std::string& kind,
                       const std::vector<double>& values, const std::string& unit, double rms) {
   std::vector<std::string> words;
   for (double value : values) words.push_back(Rounded(value, 4));
-  return fs::path(file).filename().string() + ": " + std::to_string(rows) + " rows, " + kind + " " +
-         Listed(words) + " " + unit + ", rms residual " + Rounded(rms, 3) + " Pa";
+  return FileName(file) + ": " + std::to_string(rows) + " rows, " + kind + " " + Listed(words) +
+         " " + unit + ", rms residual " + Rounded(rms, 3) + " Pa";
 }
 
 SoilTests AddTests(const SoilOptions& options, SoilEvidence* evidence) {
@@ -72,8 +74,8 @@ SoilTests AddTests(const SoilOptions& options, SoilEvidence* evidence) {
     tests.plate = ReadPlateSinkage(*options.plate);
     const BearingForm form = options.reece ? BearingForm::kReece : BearingForm::kBekker;
     const BearingFit fit = At(*options.plate, [&] { return FitBearing(*tests.plate, form); });
-    evidence->bearing = {fit, Described(*options.plate, fit.fitted.size(), "width", fit.widths, "m",
-                                        fit.rms)};
+    evidence->bearing = {
+        fit, Described(*options.plate, fit.fitted.size(), "width", fit.widths, "m", fit.rms)};
     evidence->is_frictional = options.frictional;
   } else if (options.reece || options.frictional) {
     throw InputError(std::string(options.reece ? "--reece" : "--frictional") +
@@ -82,8 +84,9 @@ SoilTests AddTests(const SoilOptions& options, SoilEvidence* evidence) {
   if (options.shear) {
     tests.shear = ReadShearTest(*options.shear);
     const ShearFit fit = At(*options.shear, [&] { return FitShear(*tests.shear); });
-    evidence->shear = {fit, Described(*options.shear, fit.fitted.size(), "normal stress",
-                                      fit.normal_stresses, "Pa", fit.rms)};
+    evidence->shear = {fit, FileName(*options.shear),
+                       Described(*options.shear, fit.fitted.size(), "normal stress",
+                                 fit.normal_stresses, "Pa", fit.rms)};
   }
   return tests;
 }
@@ -110,7 +113,8 @@ void RequireName(const std::string& name) {
   if (name.find_first_of(" \t\n,;=") != std::string::npos) {
     throw InputError("--name must hold no blank, comma, semicolon or =, got \"" + name + "\"");
   }
-  for (const Soil& known : ShippedSoils().entries()) {
+  const Catalogue<Soil> shipped = ShippedSoils();
+  for (const Soil& known : shipped.entries()) {
     if (known.name == name) throw InputError("--name " + name + ": this name is taken already");
   }
 }
@@ -158,8 +162,9 @@ void IdentifySoil(const SoilOptions& options) {
   const SoilTests tests = AddTests(options, &evidence);
   IdentifiedSoil soil = Identify(evidence);
   if (soil.findings.empty()) {
-    throw InputError("nothing is known of the soil: give --uscs, --clay --silt --sand, --plate, "
-                     "--shear or --like");
+    throw InputError(
+        "nothing is known of the soil: give --uscs, --clay --silt --sand, --plate, "
+        "--shear or --like");
   }
   soil.entry.soil.name = options.name;
   soil.entry.soil.description = options.description;
@@ -172,16 +177,19 @@ void IdentifySoil(const SoilOptions& options) {
   const Outputs outputs = OutputsOf(options);
   const std::string python = outputs.picture.empty() ? "" : PythonThatPlots();
 
-  std::printf("%s", TableOf(soil).c_str());
+  std::printf("%s", TableOf(soil, evidence).c_str());
+  if (!soil.missing.empty()) {
+    std::printf("\nfor an entry besides: %s\n", Remedies(evidence, soil.missing).c_str());
+  }
   if (!outputs.json.empty()) WriteWhole(outputs.json, JsonOf(soil, evidence, tests));
   if (!outputs.picture.empty()) {
     Draw(python, "soil_tests.py", {outputs.json, outputs.picture}, outputs.picture);
   }
   if (!outputs.xml.empty()) WriteWhole(outputs.xml, SoilXml(soil.entry));
-  for (const std::string& file : {outputs.xml, outputs.picture, outputs.json}) {
-    if (!file.empty()) std::printf("\nwritten: %s", file.c_str());
-  }
   if (!outputs.json.empty()) std::printf("\n");
+  for (const std::string& file : {outputs.xml, outputs.picture, outputs.json}) {
+    if (!file.empty()) std::printf("written: %s\n", file.c_str());
+  }
   FlushStandardOutput();
 }
 

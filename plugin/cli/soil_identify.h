@@ -9,10 +9,10 @@ namespace softsoil {
 // The command line; what is absent was not given.
 struct SoilOptions {
   std::optional<std::string> uscs;
-  std::optional<double> clay, silt, sand;                 // [%]
-  std::optional<double> bulk_density;                     // [kg/m^3]
+  std::optional<double> clay, silt, sand;                  // [%]
+  std::optional<double> bulk_density;                      // [kg/m^3]
   std::optional<double> saturation, reference_saturation;  // [-]
-  std::optional<std::string> plate, shear;                // CSV files
+  std::optional<std::string> plate, shear;                 // CSV files
   bool reece = false, frictional = false;
   std::optional<std::string> like;  // name in the catalogue
   std::string name;

@@ -6,8 +6,6 @@
 #include <nlohmann/json.hpp>
 #include <vector>
 
-#include "terrain/input_error.h"
-
 namespace softsoil {
 namespace {
 
@@ -16,8 +14,10 @@ using Row = std::array<std::string, 5>;
 
 std::string ValueOf(const Finding& finding) {
   std::string text = Rounded(finding.value, 4);
-  if (std::isinf(finding.confidence)) text += " +- unknown";
-  else if (finding.confidence > 0) text += " +- " + Rounded(finding.confidence, 2);
+  if (std::isinf(finding.confidence))
+    text += " +- unknown";
+  else if (finding.confidence > 0)
+    text += " +- " + Rounded(finding.confidence, 2);
   return text;
 }
 
@@ -53,19 +53,15 @@ Json PlateAsJson(const PlateSinkage& test, const BearingFit& fit) {
 }
 
 Json ShearAsJson(const ShearTest& test, const ShearFit& fit) {
-  return {{"normal_stress", test.normal_stress},
-          {"displacement", test.displacement},
-          {"shear_stress", test.shear_stress},
-          {"fitted", fit.fitted},
-          {"cohesion", fit.cohesion.value},
-          {"friction_angle", fit.friction_angle.value},
-          {"modulus", fit.modulus.value},
-          {"rms", fit.rms}};
+  return {{"normal_stress", test.normal_stress}, {"displacement", test.displacement},
+          {"shear_stress", test.shear_stress},   {"fitted", fit.fitted},
+          {"cohesion", fit.cohesion.value},      {"friction_angle", fit.friction_angle.value},
+          {"modulus", fit.modulus.value},        {"rms", fit.rms}};
 }
 
 }  // namespace
 
-std::string TableOf(const IdentifiedSoil& soil) {
+std::string TableOf(const IdentifiedSoil& soil, const SoilEvidence& evidence) {
   std::vector<Row> rows = {{"parameter", "value", "unit", "how", "made from"}};
   std::string warnings;
   for (const Finding& f : soil.findings) {
@@ -78,9 +74,12 @@ std::string TableOf(const IdentifiedSoil& soil) {
     for (std::size_t c = 0; c < row.size(); ++c) widths[c] = std::max(widths[c], row[c].size());
   }
   std::string text;
+  if (!soil.composition.empty()) text += "composition: " + soil.composition + "\n\n";
   for (const Row& row : rows) text += Joined(row, widths);
   if (!warnings.empty()) text += "\nwarnings\n" + warnings;
-  if (!soil.missing.empty()) text += "\nnot determined: " + Listed(soil.missing) + "\n";
+  if (evidence.bearing || evidence.shear) text += "\ntests\n";
+  if (evidence.bearing) text += "  " + evidence.bearing->summary + "\n";
+  if (evidence.shear) text += "  " + evidence.shear->summary + "\n";
   return text;
 }
 
@@ -89,8 +88,8 @@ std::string JsonOf(const IdentifiedSoil& soil, const SoilEvidence& evidence,
   Json json;
   json["name"] = soil.entry.soil.name;
   for (const Finding& finding : soil.findings) json["findings"].push_back(FindingAsJson(finding));
-  if (tests.plate) json["plate"] = PlateAsJson(*tests.plate, evidence.bearing->value);
-  if (tests.shear) json["shear"] = ShearAsJson(*tests.shear, evidence.shear->value);
+  if (tests.plate) json["plate"] = PlateAsJson(*tests.plate, evidence.bearing->fit);
+  if (tests.shear) json["shear"] = ShearAsJson(*tests.shear, evidence.shear->fit);
   return json.dump(1) + "\n";
 }
 

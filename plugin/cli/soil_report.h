@@ -14,8 +14,8 @@ struct SoilTests {
   std::optional<ShearTest> shear;
 };
 
-// A table of all findings, and their warnings below it.
-std::string TableOf(const IdentifiedSoil& soil);
+// A table of all findings; below it their warnings and a line about each test.
+std::string TableOf(const IdentifiedSoil& soil, const SoilEvidence& evidence);
 
 // All findings, readings and fitted values as JSON, SI units: what the picture is drawn from.
 std::string JsonOf(const IdentifiedSoil& soil, const SoilEvidence& evidence,
