@@ -8,6 +8,7 @@ namespace softsoil {
 void AddRunCommand(CLI::App& program);
 void AddWongReeceCommand(CLI::App& program);
 void AddListCommand(CLI::App& program);
+void AddSoilCommand(CLI::App& program);
 void AddWithCommand(CLI::App& program);
 
 }  // namespace softsoil
