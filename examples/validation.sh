@@ -5,4 +5,5 @@ set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 source tests/setup.sh
 use_softsoil softsoil_validation
-PYTHONDONTWRITEBYTECODE=1 python3 examples/validation/run.py build/validation
+# Debian installs matplotlib for this Python; the first in PATH may be another.
+PYTHONDONTWRITEBYTECODE=1 /usr/bin/python3 examples/validation/run.py build/validation
