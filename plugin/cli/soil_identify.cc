@@ -57,15 +57,16 @@ void AddState(const SoilOptions& options, SoilEvidence* evidence) {
   }
 }
 
-std::string FileName(const std::string& path) { return fs::path(path).filename().string(); }
-
-// "tests.csv: 40 rows, plates of 0.05, 0.3 m, rms 2100 Pa"
-std::string Described(const std::string& file, std::size_t rows, const std::string& kind,
-                      const std::vector<double>& values, const std::string& unit, double rms) {
+// "tests.csv: 40 rows, width 0.05, 0.3 m, rms residual 2100 Pa"
+template <class Fit>
+Tested<Fit> Summarised(const std::string& path, const Fit& fit, const std::string& kind,
+                       const std::vector<double>& values, const std::string& unit) {
   std::vector<std::string> words;
   for (double value : values) words.push_back(Rounded(value, 4));
-  return FileName(file) + ": " + std::to_string(rows) + " rows, " + kind + " " + Listed(words) +
-         " " + unit + ", rms residual " + Rounded(rms, 3) + " Pa";
+  const std::string file = fs::path(path).filename().string();
+  return {fit, file,
+          file + ": " + std::to_string(fit.fitted.size()) + " rows, " + kind + " " + Listed(words) +
+              " " + unit + ", rms residual " + Rounded(fit.rms, 3) + " Pa"};
 }
 
 SoilTests AddTests(const SoilOptions& options, SoilEvidence* evidence) {
@@ -74,8 +75,7 @@ SoilTests AddTests(const SoilOptions& options, SoilEvidence* evidence) {
     tests.plate = ReadPlateSinkage(*options.plate);
     const BearingForm form = options.reece ? BearingForm::kReece : BearingForm::kBekker;
     const BearingFit fit = At(*options.plate, [&] { return FitBearing(*tests.plate, form); });
-    evidence->bearing = {
-        fit, Described(*options.plate, fit.fitted.size(), "width", fit.widths, "m", fit.rms)};
+    evidence->bearing = Summarised(*options.plate, fit, "width", fit.widths, "m");
     evidence->is_frictional = options.frictional;
   } else if (options.reece || options.frictional) {
     throw InputError(std::string(options.reece ? "--reece" : "--frictional") +
@@ -84,9 +84,7 @@ SoilTests AddTests(const SoilOptions& options, SoilEvidence* evidence) {
   if (options.shear) {
     tests.shear = ReadShearTest(*options.shear);
     const ShearFit fit = At(*options.shear, [&] { return FitShear(*tests.shear); });
-    evidence->shear = {fit, FileName(*options.shear),
-                       Described(*options.shear, fit.fitted.size(), "normal stress",
-                                 fit.normal_stresses, "Pa", fit.rms)};
+    evidence->shear = Summarised(*options.shear, fit, "normal stress", fit.normal_stresses, "Pa");
   }
   return tests;
 }

@@ -5,6 +5,7 @@ Usage: python3 soil_tests.py REPORT.json PICTURE.png
 Reads the report of `softsoil soil` with plate-sinkage tests, shear tests or both.
 """
 import json
+import math
 import os
 import sys
 
@@ -29,13 +30,29 @@ def groups_of(column):
                MARKERS[number % len(MARKERS)])
 
 
-def with_interval(findings, parameter, factor, unit, digits=3):
-    """`12.3 ± 0.4 kPa` of a parameter in the table of findings."""
+def with_interval(findings, parameter, factor, unit):
+    """`12.3 ± 0.4 kPa`: as many digits as the interval has meaning."""
     finding = next(f for f in findings if f["parameter"] == parameter)
-    text = f"{finding['value'] * factor:.{digits}g}"
-    if "confidence_95" in finding:
-        text += f" ± {finding['confidence_95'] * factor:.2g}"
+    value, interval = finding["value"] * factor, finding.get("confidence_95", 0) * factor
+    if interval > 0:
+        decimals = max(0, 1 - math.floor(math.log10(interval)))
+        text = f"{value:.{decimals}f} ± {interval:.{decimals}f}"
+    else:
+        text = f"{value:.4g}"
     return text + (" " + unit if unit else "")
+
+
+def label_ends(axes, ends, title):
+    """Writes beside the end of each curve what it is; ends are (x, y, text, colour)."""
+    gap = 0.055 * axes.get_ylim()[1]
+    lowest = 0
+    for x, y, text, colour in sorted(ends, key=lambda end: end[1]):
+        lowest = max(y, lowest + gap)
+        axes.annotate(text, (x, lowest), xytext=(9, 0), textcoords="offset points", va="center",
+                      color=colour, fontsize=10)
+    axes.annotate(title, (max(x for x, *_ in ends), lowest + 1.4 * gap), xytext=(9, 0),
+                  textcoords="offset points", va="center", color="#444444", fontsize=9)
+    axes.set_xlim(right=1.2 * max(x for x, *_ in ends))
 
 
 def plate_pressure(plate, width, sinkage):
@@ -65,27 +82,31 @@ def plate_title(plate, findings):
 
 def draw_plates(axes, plate, findings):
     sinkage, pressure = np.array(plate["sinkage"]), np.array(plate["pressure"])
+    ends = []
     for width, rows, colour, marker in groups_of(plate["width"]):
         z = np.linspace(0, sinkage[rows].max(), 200)
         axes.plot(100 * z, plate_pressure(plate, width, z) / 1e3, color=colour, **LINE)
-        axes.plot(100 * sinkage[rows], pressure[rows] / 1e3, marker, color=colour, **POINT,
-                  label=f"{100 * width:.3g} cm")
+        axes.plot(100 * sinkage[rows], pressure[rows] / 1e3, marker, color=colour, **POINT)
+        ends.append((100 * z[-1], plate_pressure(plate, width, z[-1]) / 1e3,
+                     f"{100 * width:.3g} cm", colour))
     axes.set(xlabel="sinkage [cm]", ylabel="pressure below the plate [kPa]")
-    axes.legend(title="plate width", frameon=False, loc="upper left", alignment="left")
-    finish(axes, "Plate sinkage", plate_title(plate, findings), "lower right")
+    finish(axes, "Plate sinkage", plate_title(plate, findings), "upper left")
+    label_ends(axes, ends, "plate width")
 
 
 def draw_slip(axes, shear):
     slip, stress = np.array(shear["displacement"]), np.array(shear["shear_stress"])
+    ends = []
     for sigma, rows, colour, marker in groups_of(shear["normal_stress"]):
         j = np.linspace(0, slip[rows].max(), 200)
         strength = shear["cohesion"] + sigma * np.tan(shear["friction_angle"])
-        axes.plot(100 * j, strength * -np.expm1(-j / shear["modulus"]) / 1e3, color=colour, **LINE)
-        axes.plot(100 * slip[rows], stress[rows] / 1e3, marker, color=colour, **POINT,
-                  label=f"{sigma / 1e3:.3g} kPa")
+        tau = strength * -np.expm1(-j / shear["modulus"]) / 1e3
+        axes.plot(100 * j, tau, color=colour, **LINE)
+        axes.plot(100 * slip[rows], stress[rows] / 1e3, marker, color=colour, **POINT)
+        ends.append((100 * j[-1], tau[-1], f"{sigma / 1e3:.3g} kPa", colour))
     axes.set(xlabel="slip displacement [cm]", ylabel="shear stress [kPa]")
-    axes.legend(title="normal stress", frameon=False, loc="lower right", alignment="left")
     finish(axes, "Shear")
+    label_ends(axes, ends, "normal stress")
 
 
 def draw_strength(axes, shear, findings):
@@ -107,14 +128,14 @@ def draw_strength(axes, shear, findings):
 def finish(axes, title, text="", place="lower right"):
     axes.set_title(title, loc="left", fontsize=12)
     axes.set_xlim(left=0)
-    axes.set_ylim(bottom=0)
+    axes.set_ylim(0, 1.08 * axes.dataLim.y1)
     axes.grid(color="black", alpha=0.08, linewidth=0.6)
     axes.spines[["top", "right"]].set_visible(False)
     if text:
         x, align = (0.97, "right") if place.endswith("right") else (0.03, "left")
-        axes.text(x, 0.04, text, transform=axes.transAxes, ha=align, va="bottom", fontsize=9,
-                  linespacing=1.5,
-                  bbox={"facecolor": "white", "edgecolor": "none", "alpha": 0.85, "pad": 3})
+        y, edge = (0.04, "bottom") if place.startswith("lower") else (0.97, "top")
+        axes.text(x, y, text, transform=axes.transAxes, ha=align, va=edge, fontsize=9,
+                  linespacing=1.5)
 
 
 def draw(report):
