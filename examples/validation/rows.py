@@ -6,6 +6,7 @@ import model
 from printed import LITERAL, PLUS_SD, thesis_model
 
 CANNOT = "the measured curve exists only as a figure"
+FIRM = "at the printed 1.504 g/cm3 the firm soil yields above 350 kPa"
 
 
 @dataclasses.dataclass
@@ -135,8 +136,10 @@ def soil_volume_rows(printed):
             ours = total[p.soil]["delta rho"]
         else:
             quantity = "delta rho" if "delta rho" in p.quantity else "energy"
-            ours = total["tilled"][quantity] / total["firm"][quantity]
-        rows.append(start(p, thesis=p.number, ours=ours, note=p.note))
+            firm = total["firm"][quantity]
+            ours = total["tilled"][quantity] / firm if firm > 0 else None
+        note = FIRM if p.section == "6.1.2" and p.soil != "tilled" else p.note
+        rows.append(start(p, thesis=p.number, ours=ours, note=note))
     return rows
 
 
