@@ -93,7 +93,8 @@ RimStress Stress(const Rim& rim, double share, double angle) {
 // is at ease with any singularity at an end, and with the thin layer in which shear builds up.
 template <class Density>
 double OverContact(const Rim& rim, const Density& density) {
-  thread_local boost::math::quadrature::tanh_sinh<double> rule;  // holds a table of its nodes
+  // Smooth stress needs about six halvings of its step; the kink of a hump would take any number.
+  thread_local boost::math::quadrature::tanh_sinh<double> rule(9);  // holds a table of its nodes
   const double rear = rim.max_stress_angle, front = rim.entry_angle - rear;
   const auto both_zones = [&](double share) {
     return front * density(Stress(rim, share, FrontAngle(rim, share))) +
@@ -180,9 +181,8 @@ Rim TorqueFreeRim(const RigidWheel& wheel, const SoilUnderRim& soil, double thet
     driving = torque_there;
   }
   throw InputError(
-      "load must be one under which some skid leaves the towed wheel without torque; "
-      "there is none at an entry angle of " +
-      Shown(theta_1 * 180 / kPi) + " deg");
+      "a towed wheel must have some skid without torque, got none at the entry angle " +
+      Shown(theta_1 * 180 / kPi) + " deg; the load is too small, or the soil loses its strength");
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-"""Draws what softsoil wong-reece has found: forces, torque and sinkage over slip, rim stresses.
+"""Draws what softsoil wong-reece has found: forces, torque and sinkage over slip, rim stress.
 
 Usage: python3 wong_reece.py FOLDER
 
@@ -20,7 +20,7 @@ import numpy as np
 FORCES = {"thrust [N]": ("thrust", "#1f6f8b"),
           "motion_resistance [N]": ("motion resistance", "#c2401f"),
           "drawbar_pull [N]": ("drawbar pull", "#2d2a26")}
-TORQUE, SINKAGE = "#7a4f9a", "#8a6d1f"
+ALONE = "#7a4f9a"  # of a curve without others beside it
 SLIP_COLOURS = matplotlib.colormaps["viridis"]
 TOWED_COLOUR = "#c2401f"
 MOST_RIMS = 5  # drawn of the driven ones
@@ -59,20 +59,18 @@ def finish(axes, xlabel, ylabel):
 def draw_forces(axes, rows):
     for name, (words, colour) in FORCES.items():
         draw_curve(axes, rows, name, KILO, color=colour, label=words)
+    if any(row["mode"] == "towed" for row in rows):
+        axes.plot([], [], marker="o", markersize=7, markerfacecolor="none", linestyle="none",
+                  color="black", label="towed")
     axes.axhline(0, color="black", linewidth=0.7)
     axes.legend(frameon=False, fontsize=9)
     finish(axes, "slip ratio [%]", "force [kN]")
 
 
-def draw_torque_and_sinkage(axes, rows):
-    draw_curve(axes, rows, "torque [N m]", KILO, color=TORQUE)
-    finish(axes, "slip ratio [%]", "torque [kN m]")
+def draw_alone(axes, rows, name, unit, words):
+    draw_curve(axes, rows, name, unit, color=ALONE)
+    finish(axes, "slip ratio [%]", words)
     axes.set_ylim(bottom=min(0, axes.get_ylim()[0]))
-    axes.yaxis.label.set_color(TORQUE)
-    other = axes.twinx()
-    draw_curve(other, rows, "sinkage [m]", CM, color=SINKAGE)
-    other.set_ylabel("sinkage [cm]", color=SINKAGE)
-    other.set_ylim(bottom=0)
 
 
 def rims_of(stresses):
@@ -116,19 +114,27 @@ def draw_rims(pressure, shear, stresses):
     pressure.legend(frameon=False, fontsize=9)
 
 
+def panels(over_slip):
+    """A figure; its panels of forces, torque and sinkage over slip, if any; of pressure, shear."""
+    figure = plt.figure(figsize=(12, 8 if over_slip else 4.4), layout="constrained")
+    if not over_slip:
+        return figure, [], figure.subplots(1, 2)
+    above, below = figure.subfigures(2, 1)
+    return figure, above.subplots(1, 3), below.subplots(1, 2)
+
+
 def draw(folder):
     inputs = json.loads((folder / "wong_reece.json").read_text())
     rows = read_rows(folder / "wong_reece.csv")
-    stresses = read_rows(folder / "rim_stress.csv")
     over_slip = len(rows) > 1
-    figure, grid = plt.subplots(2 if over_slip else 1, 2, layout="constrained",
-                                figsize=(11, 8.2 if over_slip else 4.4), squeeze=False)
-    draw_rims(*grid[-1], stresses)
+    figure, above, below = panels(over_slip)
+    draw_rims(*below, read_rows(folder / "rim_stress.csv"))
     if over_slip:
-        draw_forces(grid[0, 0], rows)
-        draw_torque_and_sinkage(grid[0, 1], rows)
+        draw_forces(above[0], rows)
+        draw_alone(above[1], rows, "torque [N m]", KILO, "torque [kN m]")
+        draw_alone(above[2], rows, "sinkage [m]", CM, "sinkage [cm]")
     figure.suptitle(f"{inputs['tire']} on {inputs['soil']}, {inputs['load'] / KILO:g} kN: rigid "
-                    f"wheel by Wong and Reece\nradius {inputs['radius']:.4g} m, width "
+                    f"wheel by Wong and Reece, radius {inputs['radius']:.4g} m, width "
                     f"{inputs['width']:.4g} m", fontsize=12)
     figure.get_layout_engine().set(h_pad=0.1, w_pad=0.1)
     return figure
