@@ -20,6 +20,7 @@ int ParseAndRun(int argc, char** argv) {
   program.require_subcommand(1);
   program.failure_message(BadUsage);
   AddRunCommand(program);
+  AddDrawbarCommand(program);
   AddListCommand(program);
   AddWithCommand(program);
   try {

@@ -44,6 +44,17 @@ int Execute(std::vector<std::string> words, Messages messages) {
   return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
 }
 
+// Runs a script on the results in a folder; `picture` is what the message names.
+void Draw(const std::string& python, const std::string& name, const std::string& folder,
+          const std::string& picture) {
+  const std::string script = ShareFolder() + "/plot/" + name;
+  const int status = Execute({python, script, folder}, Messages::kShown);
+  if (status != 0) {
+    throw std::runtime_error(folder + picture + ": " + script + " failed with exit status " +
+                             std::to_string(status));
+  }
+}
+
 }  // namespace
 
 std::string PythonThatPlots() {
@@ -56,12 +67,11 @@ std::string PythonThatPlots() {
 }
 
 void DrawTerrain(const std::string& python, const std::string& folder) {
-  const std::string script = ShareFolder() + "/plot/terrain.py";
-  const int status = Execute({python, script, folder}, Messages::kShown);
-  if (status != 0) {
-    throw std::runtime_error(folder + "/terrain.png: " + script + " failed with exit status " +
-                             std::to_string(status));
-  }
+  Draw(python, "terrain.py", folder, "/terrain.png");
+}
+
+void DrawDrawbar(const std::string& python, const std::string& folder) {
+  Draw(python, "drawbar.py", folder, "");
 }
 
 }  // namespace softsoil

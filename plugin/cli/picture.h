@@ -12,4 +12,7 @@ std::string PythonThatPlots();
 // Draws <folder>/terrain.png from the other files of the run. Throws std::runtime_error.
 void DrawTerrain(const std::string& python, const std::string& folder);
 
+// Draws the pictures of softsoil drawbar in the same way.
+void DrawDrawbar(const std::string& python, const std::string& folder);
+
 }  // namespace softsoil
