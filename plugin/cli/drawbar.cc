@@ -129,7 +129,7 @@ class Curve {
     for (std::size_t i = 1; i < states_.size(); ++i) {
       const softsoilWheel& w = states_[i].wheel;
       const double slip = result.rolling.rolling_radius * w.spin / w.forward_speed - 1;
-      result.cases.push_back({states_[i], slip});
+      result.cases.push_back({Asked()[i - 1], states_[i], slip});
     }
     return result;
   }
@@ -171,10 +171,11 @@ void RunCurve(const DrawbarOptions& options, const SoilBin& bin) {
   SayWhatIsNotSteady(result);
   CentreLines lines;
   for (const DrawbarCase& c : result.cases) {
-    lines.emplace_back(c.state.wheel.slip_ratio, c.state.centre_line);
+    lines.emplace_back(c.asked, c.state.centre_line);
   }
   WriteModel(options, bin);
-  WriteCentreLineCsv(options.folder, "slip [-]", lines);
+  const bool by_slip = options.mode == BinMode::kSlip;
+  WriteCentreLineCsv(options.folder, by_slip ? "slip [-]" : "spin [rad/s]", lines);
   WriteDrawbarSummary(options, bin.shape.radius, &result.rolling);
   WriteDrawbarCsv(options.folder, result.cases);
   PrintDrawbar(options, bin.shape.radius, result);

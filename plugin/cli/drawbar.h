@@ -39,6 +39,7 @@ struct FreeRolling {
 
 // One row of drawbar.csv.
 struct DrawbarCase {
+  double asked = 0;  // [-] or [rad/s]  slip or spin
   SteadyState state;
   double rolling_slip = 0;  // [-]  (r_r w - v)/v with the rolling radius r_r
 };

@@ -17,6 +17,8 @@ constexpr int kMostWindows = 12;                              //
 constexpr int kSamples = 50;                                  // of the contact in a window
 constexpr double kSteadyChange = 0.01, kPullPerLoad = 0.001;  // [-]
 
+constexpr double kRounding = 1e-9;  // [-]  of volumes
+
 constexpr double kShortestSettling = 0.3, kLongestSettling = 5, kAtRest = 0.1;  // [s]
 constexpr double kLoadError = 0.01;                                             // [-]
 
@@ -105,7 +107,8 @@ class Driven {
     const softsoilGround after = simulation_->Ground();
     const double rut = after.rut_volume - before.rut_volume;
     const double displaced = after.displaced_volume - before.displaced_volume;
-    state.compacted_share = rut > 0 ? 1 - displaced / rut : 0;
+    const double compacted = rut - displaced;
+    state.compacted_share = compacted > kRounding * rut ? compacted / rut : 0;
     return state;
   }
 
@@ -121,8 +124,7 @@ void StepUnlessSunk(double load, Simulation* simulation) {
   simulation->Step();
   if (simulation->Wheel(0).centre[2] > 0) return;
   throw InputError("--load: the soil cannot carry " + Shown(load) +
-                   " N on this tire: the wheel has " + "sunk to its axle within " +
-                   Shown(simulation->Time()) + " s");
+                   " N on this tire: the wheel sinks to its axle");
 }
 
 void Settle(double load, Simulation* simulation) {
