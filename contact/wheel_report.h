@@ -1,7 +1,8 @@
 // What a wheel does, in the terms of vehicle and terramechanics engineers.
 //
-// Axes and signs, used here and nowhere else described: the W axes of contact/wheel_axes.h. They
-// lie in the ground: on a slope the weight of the vehicle thus counts in no wheel's resistance.
+// Axes and signs, used here and nowhere else described: the W axes of contact/wheel_axes.h: x
+// forward, y to the left, z up along the normal of the undisturbed ground below the wheel. On a
+// slope the weight of the vehicle thus counts in no wheel's resistance.
 // Forces and torques are those of the ground on the wheel. A wheel that rolls forward has a
 // positive spin.
 //   slip ratio   (r w - v) / v with the unloaded radius r, spin w, forward speed v (4.8); positive

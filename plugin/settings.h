@@ -17,6 +17,7 @@
 
 #include "terrain/ground.h"
 #include "terrain/limits.h"
+#include "terrain/nurbs_bumps.h"
 
 namespace softsoil {
 
@@ -30,6 +31,7 @@ struct TireNames {
 struct Settings {
   std::string soil;    // name in the catalogue; empty: the model wants no soil
   std::string ground;  // name of the plane geom; empty: the only one there is
+  NurbsBumps bumps;    // on that plane
   TireNames tires;
   std::vector<std::string> wheels;                  // names of bodies; empty: find them
   std::vector<std::string> soil_files, tire_files;  // catalogues besides ours

@@ -1,3 +1,5 @@
+#include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "plugin/settings.h"
@@ -11,6 +13,7 @@ using V = SettingValue;
 constexpr SettingKind kText = SettingKind::kText, kNumber = SettingKind::kNumber,
                       kWholeNumber = SettingKind::kWholeNumber, kBodies = SettingKind::kBodies;
 constexpr Limits kNoLimits = {};  // of what is no number
+constexpr char kNoBumps[] = "none";
 
 // True for the second of two words, false for the first; throws for any other.
 bool Choose(const std::string& text, const char* first, const char* second) {
@@ -45,6 +48,40 @@ TireNames ParseTires(const std::string& text) {
   return tires;
 }
 
+// A number of the list `text` that must be within limits.
+double Within(Limits limits, const char* name, const std::string& unit, const std::string& number) {
+  double value = 0;
+  if (ParseNumber(number, &value) && Contains(limits, value)) return value;
+  throw InputError(std::string(name) + " must be " + InWords(limits) + unit + ", got \"" + number +
+                   "\"");
+}
+
+std::uint32_t ParseSeed(const std::string& text) {
+  const double seed = Within(kBumpSeedLimits, "the seed", "", text);
+  if (seed != std::floor(seed)) {
+    throw InputError("the seed must be a whole number, got \"" + text + "\"");
+  }
+  return static_cast<std::uint32_t>(seed);
+}
+
+NurbsBumps ParseBumps(const std::string& text) {
+  if (text == kNoBumps) return NurbsBumps{};
+  const std::vector<std::string> entries = Words(text, " \t\n,");
+  const auto commas = static_cast<std::size_t>(std::count(text.begin(), text.end(), ','));
+  if (commas + 1 != entries.size() || entries.size() < 2 || entries.size() > 3) {
+    throw InputError("must be HEIGHT,SPACING or HEIGHT,SPACING,SEED or none, got \"" + text + "\"");
+  }
+  NurbsBumps bumps;
+  bumps.height = Within(kBumpHeightLimits, "the height", " m", entries[0]);
+  bumps.spacing = Within(kBumpSpacingLimits, "the spacing", " m", entries[1]);
+  if (bumps.height > kSteepestBumps * bumps.spacing) {
+    throw InputError("the height must be at most " + Shown(kSteepestBumps) +
+                     " times the spacing, got \"" + text + "\"");
+  }
+  if (entries.size() == 3) bumps.seed = ParseSeed(entries[2]);
+  return bumps;
+}
+
 }  // namespace
 
 const std::vector<Setting>& SettingTable() {
@@ -58,6 +95,10 @@ const std::vector<Setting>& SettingTable() {
       {"ground", kText, kNoLimits, "", "the only plane of the world",
        "name of the plane geom that is the undisturbed ground",
        [](Settings& s, const V& v) { s.ground = v.text; }},
+      {"bumps", kText, kNoLimits, "", kNoBumps,
+       "bumpy ground: HEIGHT,SPACING or HEIGHT,SPACING,SEED; most height [m] above and below the "
+       "plane, along z, and distance [m] of the bumps",
+       [](Settings& s, const V& v) { s.bumps = ParseBumps(v.text); }},
       {"wheels", kBodies, kNoLimits, "", "found by their geoms and hinges", "bodies with a tire",
        [](Settings& s, const V& v) { s.wheels = v.names; }},
       {"mode", kText, kNoLimits, "", "flow",

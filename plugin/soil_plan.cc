@@ -73,6 +73,14 @@ void WarnOfGrid(const SoilPlan& plan) {
       " m; make it finer");
 }
 
+// Between grid nodes the ground is bilinear: bumps need a few of them.
+void WarnOfGrid(const GroundSettings& terrain, const NurbsBumps& bumps) {
+  if (bumps.height == 0 || terrain.grid_spacing <= bumps.spacing / 4) return;
+  Say("warning: softsoil_grid_spacing is " + Shown(terrain.grid_spacing) +
+      " m, more than a quarter of the distance of the bumps, " + Shown(bumps.spacing) +
+      " m; make it finer");
+}
+
 void RequireUsable(const mjOption& option) {
   if ((option.disableflags & mjDSBL_PASSIVE) != 0) {
     throw InputError(
@@ -92,6 +100,7 @@ SoilPlan MakePlan(const mjModel* m, const Settings& settings) {
   plan.soil = ChooseSoil(settings);
   plan.terrain = settings.terrain;
   plan.ground = FindGroundPlane(m, settings.ground);
+  plan.ground.height = WithBumps(plan.ground.height, settings.bumps);
   plan.wheels = FindWheels(m, settings.wheels);
   plan.tires = ChooseTires(m, plan.wheels, settings);
   plan.is_wheels = GeomsOfWheels(m, plan.wheels);
@@ -100,6 +109,7 @@ SoilPlan MakePlan(const mjModel* m, const Settings& settings) {
   WarnOfRigidContact(m, plan);
   WarnOfTimeStep(m, plan);
   WarnOfGrid(plan);
+  WarnOfGrid(plan.terrain, settings.bumps);
   return plan;
 }
 

@@ -11,6 +11,7 @@
 #include "plugin/cli/output_file.h"
 #include "plugin/cli/paths.h"
 #include "plugin/cli/picture.h"
+#include "plugin/cli/rigid_wheel.h"
 #include "plugin/cli/standard_output.h"
 #include "plugin/cli/torque_history.h"
 #include "terrain/input_error.h"
@@ -166,7 +167,7 @@ void SayWhatIsNotSteady(const DrawbarResult& result) {
   }
 }
 
-void RunCurve(const DrawbarOptions& options, const SoilBin& bin) {
+void RunCurve(const DrawbarOptions& options, const SoilBin& bin, const RigidCurves& rigid) {
   const DrawbarResult result = Curve(options, bin).Run();
   SayWhatIsNotSteady(result);
   CentreLines lines;
@@ -176,6 +177,7 @@ void RunCurve(const DrawbarOptions& options, const SoilBin& bin) {
   WriteModel(options, bin);
   const bool by_slip = options.mode == BinMode::kSlip;
   WriteCentreLineCsv(options.folder, by_slip ? "slip [-]" : "spin [rad/s]", lines);
+  if (options.wong_reece) WriteRigidCurves(options.folder, rigid);
   WriteDrawbarSummary(options, bin.shape.radius, &result.rolling);
   WriteDrawbarCsv(options.folder, result.cases);
   PrintDrawbar(options, bin.shape.radius, result);
@@ -197,16 +199,18 @@ void RunHistory(const DrawbarOptions& options, const SoilBin& bin) {
 
 void Drawbar(const DrawbarOptions& options) {
   Check(options);
-  FindIn(SoilCatalogue(), "soils", options.soil_files, options.soil);
+  const Soil soil = FindIn(SoilCatalogue(), "soils", options.soil_files, options.soil);
   const Tire tire = FindIn(TireCatalogue(), "tires", options.tire_files, options.tire);
   const SoilBin bin = BinOf(options, tire);
+  RigidCurves rigid;
+  if (options.wong_reece) rigid = RigidCurvesOf(tire.shape, soil, options);
   const std::string python = options.picture ? PythonThatPlots() : "";
   HandleMujocoMessages();
   MakeRig(bin, 1);  // refuses bad settings
   PrepareFolder(options.folder);
   RemoveOldResults(options.folder);
   const bool curve = options.mode != BinMode::kTorque;
-  curve ? RunCurve(options, bin) : RunHistory(options, bin);
+  curve ? RunCurve(options, bin, rigid) : RunHistory(options, bin);
   if (options.picture) DrawDrawbar(python, options.folder);
   std::printf("Results in %s: %s, centre_line.csv, soil_bin.xml%s\n", options.folder.c_str(),
               curve ? "drawbar.csv" : "history.csv", options.picture ? ", pictures" : "");

@@ -3,6 +3,7 @@
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
+#include "plugin/cli/csv_cell.h"
 #include "plugin/cli/mujoco_messages.h"
 #include "plugin/cli/output_file.h"
 
@@ -40,12 +41,6 @@ const std::vector<Column>& Columns() {
   return columns;
 }
 
-std::string Cell(double value) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.6g", value);
-  return text;
-}
-
 const char* NameOf(BinMode mode) {
   switch (mode) {
     case BinMode::kSlip: return "slip";
@@ -65,7 +60,7 @@ void WriteDrawbarCsv(const std::string& folder, const std::vector<DrawbarCase>& 
   file.Write(line + "\n");
   for (const DrawbarCase& one : cases) {
     line.clear();
-    for (const Column& c : Columns()) line += (line.empty() ? "" : ",") + Cell(c.value(one));
+    for (const Column& c : Columns()) line += (line.empty() ? "" : ",") + CsvCell(c.value(one));
     file.Write(line + "\n");
   }
   file.Finish();
@@ -77,8 +72,8 @@ void WriteCentreLineCsv(const std::string& folder, const std::string& key,
   file.Write(key + ",angle [deg],pressure [Pa],shear [Pa]\n");
   for (const auto& [value, points] : lines) {
     for (const CentreLinePoint& p : points) {
-      file.Write(Cell(value) + "," + Cell(p.angle) + "," + Cell(p.pressure) + "," + Cell(p.shear) +
-                 "\n");
+      file.Write(CsvCell(value) + "," + CsvCell(p.angle) + "," + CsvCell(p.pressure) + "," +
+                 CsvCell(p.shear) + "\n");
     }
   }
   file.Finish();

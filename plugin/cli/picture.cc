@@ -66,8 +66,10 @@ std::string PythonThatPlots() {
       "python3-matplotlib), and none was found; --no-picture runs without");
 }
 
-void DrawTerrain(const std::string& python, const std::string& folder) {
-  Draw(python, "terrain.py", folder, "/terrain.png");
+void DrawPictures(const std::string& python, const std::string& folder) {
+  for (const std::string name : {"terrain", "contact"}) {
+    Draw(python, name + ".py", folder, "/" + name + ".png");
+  }
 }
 
 void DrawDrawbar(const std::string& python, const std::string& folder) {

@@ -9,8 +9,9 @@ namespace softsoil {
 // system, or the first in PATH. Throws InputError if none has.
 std::string PythonThatPlots();
 
-// Draws <folder>/terrain.png from the other files of the run. Throws std::runtime_error.
-void DrawTerrain(const std::string& python, const std::string& folder);
+// Draws <folder>/terrain.png and contact.png from the other files of the run. Throws
+// std::runtime_error.
+void DrawPictures(const std::string& python, const std::string& folder);
 
 // Draws the pictures of softsoil drawbar in the same way.
 void DrawDrawbar(const std::string& python, const std::string& folder);

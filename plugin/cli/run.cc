@@ -4,7 +4,9 @@
 #include <chrono>
 #include <cmath>
 #include <filesystem>
+#include <set>
 
+#include "plugin/cli/contact_log.h"
 #include "plugin/cli/mujoco_messages.h"
 #include "plugin/cli/npy.h"
 #include "plugin/cli/output_file.h"
@@ -37,9 +39,24 @@ long Steps(double time, double time_step) {
   return std::max(1L, std::lround(time / time_step));
 }
 
+void RequireWithin(double time, const std::vector<double>& contact_times) {
+  for (const double t : contact_times) {
+    if (t >= 0 && t <= time) continue;
+    throw InputError("--contact-times must be 0 to --time, " + Shown(time) + " s, got " + Shown(t));
+  }
+}
+
+// The steps at whose start the contact is asked for.
+std::set<long> ContactSteps(const std::vector<double>& contact_times, double time_step) {
+  std::set<long> steps;
+  for (const double time : contact_times) steps.insert(std::lround(time / time_step));
+  return steps;
+}
+
 // Results of an earlier run would be taken for those of one that is killed.
 void RemoveOldResults(const std::string& folder) {
-  for (const char* name : {"wheels.csv", "terrain.npy", "summary.json", "terrain.png"}) {
+  for (const char* name :
+       {"wheels.csv", "contact.csv", "terrain.npy", "summary.json", "terrain.png", "contact.png"}) {
     std::filesystem::remove(folder + "/" + name);
   }
 }
@@ -54,7 +71,9 @@ class Drive {
         time_step_(simulation.model().opt.timestep),
         steps_(Steps(options.time, time_step_)),
         first_averaged_(std::max(0L, steps_ - std::lround(kAveragedOver / time_step_))),
+        contact_steps_(ContactSteps(options.contact_times, time_step_)),
         log_(options.folder + "/wheels.csv"),
+        contact_log_(options.folder + "/contact.csv"),
         progress_(options.time) {}
 
   RunResult ToTheEnd() {
@@ -63,6 +82,7 @@ class Drive {
     for (const softsoilWheel& w : simulation_.Wheels()) result_.wheels.push_back({w.name, {}});
     const auto start = std::chrono::steady_clock::now();
     for (long step = 0; step < steps_; ++step) {
+      if (contact_steps_.count(step) > 0) LogContact();
       if (step * time_step_ > rows_ * interval_ - time_step_ / 2) Log();
       simulation_.Step(controls_);
       if (step >= first_averaged_) Average();
@@ -71,7 +91,9 @@ class Drive {
       progress_.Show(simulation_.Time(), result_.wall_time);
     }
     Log();
+    LogContact();
     log_.Finish();
+    contact_log_.Finish();
     result_.simulated_time = steps_ * time_step_;
     result_.ground = simulation_.Ground();
     return result_;
@@ -84,6 +106,14 @@ class Drive {
     rows_ = 1 + std::floor((simulation_.Time() + time_step_ / 2) / interval_);
   }
 
+  void LogContact() {
+    simulation_.EvaluateWheels();
+    const std::vector<softsoilWheel> wheels = simulation_.Wheels();
+    for (std::size_t i = 0; i < wheels.size(); ++i) {
+      contact_log_.Write(simulation_.Time(), wheels[i], simulation_.Contacts(static_cast<int>(i)));
+    }
+  }
+
   void Average() {
     const std::vector<softsoilWheel> wheels = simulation_.Wheels();
     for (std::size_t i = 0; i < wheels.size(); ++i) result_.wheels[i].mean.Add(wheels[i]);
@@ -91,12 +121,14 @@ class Drive {
 
   Simulation& simulation_;
   const Controls& controls_;
-  double interval_;      // [s]
-  double time_step_;     // [s]
-  long steps_;           // of the whole run
-  long first_averaged_;  // step
-  double rows_ = 0;      // intervals begun
+  double interval_;               // [s]
+  double time_step_;              // [s]
+  long steps_;                    // of the whole run
+  long first_averaged_;           // step
+  double rows_ = 0;               // intervals begun
+  std::set<long> contact_steps_;  // besides the end
   WheelLog log_;
+  ContactLog contact_log_;
   Progress progress_;
   RunResult result_;
 };
@@ -116,6 +148,7 @@ void WriteTerrain(const Simulation& simulation, const std::string& folder) {
 void Run(const RunOptions& options) {
   RequirePositive("--time", options.time);
   RequirePositive("--interval", options.interval);
+  RequireWithin(options.time, options.contact_times);
   const std::string scene = SceneFile(options.scene);
   const std::string python = options.picture ? PythonThatPlots() : "";
 
@@ -130,7 +163,7 @@ void Run(const RunOptions& options) {
   const RunResult result = Drive(simulation, controls, options).ToTheEnd();
   WriteTerrain(simulation, options.folder);
   WriteSummary(options, result);
-  if (options.picture) DrawTerrain(python, options.folder);
+  if (options.picture) DrawPictures(python, options.folder);
   PrintSummary(options, result);
 }
 

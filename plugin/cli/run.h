@@ -10,12 +10,13 @@
 namespace softsoil {
 
 struct RunOptions {
-  std::string scene;       // path or name
-  double time = 0;         // [s]  simulated, > 0
-  std::string folder;      // of the results
-  std::string controls;    // CSV file, or empty
-  double interval = 0.05;  // [s]  simulated time between rows of wheels.csv, > 0
-  std::string settings;    // for softsoil_attach()
+  std::string scene;                  // path or name
+  double time = 0;                    // [s]  simulated, > 0
+  std::string folder;                 // of the results
+  std::string controls;               // CSV file, or empty
+  double interval = 0.05;             // [s]  simulated time between rows of wheels.csv, > 0
+  std::vector<double> contact_times;  // [s]  of contact.csv besides the end, 0 to `time`
+  std::string settings;               // for softsoil_attach()
   bool picture = true;
 };
 
@@ -33,8 +34,9 @@ struct RunResult {
   double time_step = 0;  // [s]
 };
 
-// Writes wheels.csv, terrain.npy, summary.json and terrain.png. Refuses bad input with InputError
-// before anything is run or written; throws std::runtime_error if the run fails.
+// Writes wheels.csv, contact.csv, terrain.npy, summary.json, terrain.png and contact.png. Refuses
+// bad input with InputError before anything is run or written; throws std::runtime_error if the run
+// fails.
 void Run(const RunOptions& options);
 
 }  // namespace softsoil

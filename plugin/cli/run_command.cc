@@ -58,8 +58,14 @@ void AddRunCommand(CLI::App& program) {
   command
       ->add_option("--interval", options.interval, "Simulated time between rows of wheels.csv [s]")
       ->capture_default_str();
+  command
+      ->add_option("--contact-times", options.contact_times,
+                   "Times at which contact.csv tells the contact of the tires, besides the end: "
+                   "T1,T2,... [s]")
+      ->delimiter(',')
+      ->allow_extra_args(false);
   command->add_flag("--no-picture", line->no_picture,
-                    "Do not draw terrain.png, which needs python3 with matplotlib");
+                    "Do not draw terrain.png and contact.png, which need python3 with matplotlib");
   AddSetting(*command, line, "--threads", "threads", "Threads of the soil update");
   AddSetting(*command, line, "--soil-clock", "clock", "Simulated time between soil updates [s]");
   AddSetting(*command, line, "--mode", "mode",

@@ -112,8 +112,8 @@ void PrintSummary(const RunOptions& options, const RunResult& result) {
       result.ground.threads == 1 ? "" : "s", PeakMemory());
   std::printf("Rut volume %.3f m^3, compaction energy %.2f kJ\n", result.ground.rut_volume,
               CompactionEnergy(result) / 1e3);
-  std::printf("Results in %s: summary.json, wheels.csv, terrain.npy%s\n", options.folder.c_str(),
-              options.picture ? ", terrain.png" : "");
+  std::printf("Results in %s: summary.json, wheels.csv, contact.csv, terrain.npy%s\n",
+              options.folder.c_str(), options.picture ? ", terrain.png, contact.png" : "");
   FlushStandardOutput();
 }
 

@@ -21,6 +21,11 @@ class BadInput(InAFolder):
         self.assertRefused([scene, "--time", "forty"], "forty")
         self.assertRefused([scene], "--time is required")
         self.assertRefused([scene, "--time", 1, "--interval", 0], "--interval must be > 0 s, got 0")
+        for times, sentence in [("0.5,2", "must be 0 to --time, 1 s, got 2"),
+                                ("-0.1", "must be 0 to --time, 1 s, got -0.1"),
+                                ("nan", "must be 0 to --time, 1 s, got nan"), ("soon", "soon")]:
+            self.assertRefused([scene, "--time", 1, "--contact-times=" + times],
+                               "--contact-times", sentence)
         self.assertRefused([scene, "--time", 1, "--mode", "rock"], "rock", "flow", "compaction")
         self.assertRefused([scene, "--time", 1, "--colour", "red"], "--colour")
         self.assertRefused([scene, "--time", 1, "--set", "soil"], "KEY=VALUE", '"soil"')

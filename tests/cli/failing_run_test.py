@@ -32,7 +32,7 @@ DIVERGING = """<mujoco>
 
 class AFailingRun(InAFolder):
     def test_full_disk(self):
-        for name in ("wheels.csv", "terrain.npy", "summary.json"):
+        for name in ("wheels.csv", "contact.csv", "terrain.npy", "summary.json"):
             with self.subTest(name=name):
                 out = self.folder / name
                 out.mkdir()
@@ -43,11 +43,15 @@ class AFailingRun(InAFolder):
                 self.assertFalse((out / "summary.json").exists())
                 self.assertFalse((out / name).exists())
 
-    def test_full_disk_for_the_picture(self):
-        (self.folder / "terrain.png.part").symlink_to("/dev/full")
-        done = run(self.folder, seconds=0.05)
-        self.assertFails(done, FAILED, "No space left on device", "terrain.png")
-        self.assertFalse((self.folder / "terrain.png").exists())
+    def test_full_disk_for_the_pictures(self):
+        for name in ("terrain.png", "contact.png"):
+            with self.subTest(name=name):
+                out = self.folder / name
+                out.mkdir()
+                (out / (name + ".part")).symlink_to("/dev/full")
+                done = run(out, seconds=0.05)
+                self.assertFails(done, FAILED, "No space left on device", name)
+                self.assertFalse((out / name).exists())
 
     def test_output_that_nobody_can_read(self):
         with open("/dev/full", "w") as full:
@@ -67,7 +71,7 @@ class AFailingRun(InAFolder):
             time.sleep(0.05)
         process.send_signal(signal.SIGKILL)
         process.wait()
-        self.assertEqual(os.listdir(self.folder), ["wheels.csv.part"])
+        self.assertEqual(sorted(os.listdir(self.folder)), ["contact.csv.part", "wheels.csv.part"])
 
     def test_model_that_diverges(self):
         scene = self.write("scene.xml", DIVERGING)

@@ -1,12 +1,14 @@
 #include <gmock/gmock.h>
 #include <unistd.h>
 
+#include <cmath>
 #include <cstdint>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
 
+#include "plugin/cli/contact_log.h"
 #include "plugin/cli/npy.h"
 #include "plugin/cli/output_file.h"
 #include "plugin/cli/wheel_columns.h"
@@ -114,6 +116,32 @@ TEST_F(Output, WheelLogHasUnitsDegreesAndQuotedNames) {
   EXPECT_THAT(text, HasSubstr("slip angle [deg]"));
   EXPECT_THAT(text, HasSubstr("\n0.5,\"left, \"\"big\"\"\",0,0,0,1250,0,0,0,90,0,"));
   EXPECT_THAT(text, HasSubstr("\n0.5,right,0,0,0,1,"));
+}
+
+// A node 30 degrees ahead of the lowest point of a tire of 0.5 m radius, 0.1 m left of its middle.
+TEST_F(Output, ContactLogHasUnitsDegreesAndTheDistanceAhead) {
+  softsoilWheel wheel = Wheel("left, \"big\"", 1, 0);
+  wheel.centre[2] = 0.4;
+  softsoilContact contact = {};
+  contact.angle = 3.14159265358979 / 6;
+  contact.lateral = 0.1;
+  contact.position[0] = -0.1;  // it faces y
+  contact.position[1] = 0.25;
+  contact.position[2] = 0.4 - 0.5 * std::cos(contact.angle);
+  contact.pressure = 7e4;
+  contact.shear = -2;
+  contact.shear_across = 3;
+  contact.area = 0.0006;
+  contact.depth = 0.04;
+  ContactLog log(path_);
+  log.Write(0.5, wheel, {contact});
+  log.Write(0.6, wheel, {});
+  log.Finish();
+  EXPECT_EQ(
+      Content(path_),
+      "time [s],wheel,x [m],y [m],z [m],angle [deg],ahead [m],lateral [m],pressure [Pa],"
+      "shear [Pa],shear across [Pa],area [m^2],depth [m]\n"
+      "0.5,\"left, \"\"big\"\"\",-0.1,0.25,-0.0330127019,30,0.25,0.1,70000,-2,3,0.0006,0.04\n");
 }
 
 TEST(WheelMean, IsTheMeanOfForcesAndTheLastOfTotals) {

@@ -10,7 +10,8 @@ import unittest
 FAILED, BAD_INPUT, NO_SUCH_PROGRAM = 1, 2, 127
 COARSE = ["--no-picture", "--set", "grid_spacing=0.05", "--set", "volume_height=0.05", "--set",
           "volumes=15"]
-RESULTS = ["summary.json", "terrain.npy", "terrain.png", "wheels.csv"]
+RESULTS = ["contact.csv", "contact.png", "summary.json", "terrain.npy", "terrain.png",
+           "wheels.csv"]
 
 
 def softsoil(*arguments, environment=None, stdout=subprocess.PIPE):
@@ -27,9 +28,9 @@ def summary_of(folder):
     return json.loads((folder / "summary.json").read_text())
 
 
-def rows_of(folder):
-    """wheels.csv: a dictionary for each row, all numbers but the wheel's name."""
-    with open(folder / "wheels.csv", newline="") as file:
+def rows_of(folder, name="wheels.csv"):
+    """A dictionary for each row, all numbers but the wheel's name."""
+    with open(folder / name, newline="") as file:
         return [{key: text if key == "wheel" else float(text) for key, text in row.items()}
                 for row in csv.DictReader(file)]
 

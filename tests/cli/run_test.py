@@ -87,11 +87,12 @@ class Run(unittest.TestCase):
                      for r in self.rows]
         self.assertLess(min(distances), 0.6)
 
-    def test_picture_shows_something(self):
-        picture = matplotlib.image.imread(self.folder / "terrain.png")  # refuses what is no PNG
-        self.assertGreater(min(picture.shape[:2]), 300)
-        self.assertGreater(len(np.unique((picture[:, :, :3] * 31).astype(int).reshape(-1, 3),
-                                         axis=0)), 50)
+    def test_pictures_show_something(self):
+        for name in ("terrain.png", "contact.png"):
+            picture = matplotlib.image.imread(self.folder / name)  # refuses what is no PNG
+            self.assertGreater(min(picture.shape[:2]), 300, name)
+            self.assertGreater(len(np.unique((picture[:, :, :3] * 31).astype(int).reshape(-1, 3),
+                                             axis=0)), 50, name)
 
 
 class RunOptions(InAFolder):
@@ -113,7 +114,7 @@ class RunOptions(InAFolder):
         self.assertEqual(summary["grid_spacing"], 0.05)
         self.assertEqual(summary["soil"], "lete_sand")
         self.assertEqual(sorted(os.listdir(self.folder)),
-                         [name for name in RESULTS if name != "terrain.png"])
+                         [name for name in RESULTS if not name.endswith(".png")])
 
     def test_scene_may_be_a_file(self):
         scene = pathlib.Path("models/scenes/soil_bin.xml").resolve()
@@ -124,7 +125,7 @@ class RunOptions(InAFolder):
         for name in RESULTS:
             self.write(name, "old")
         self.assertEqual(run(self.folder, "--no-picture", seconds=0.05).returncode, 0)
-        self.assertFalse((self.folder / "terrain.png").exists())
+        self.assertFalse(list(self.folder.glob("*.png")))
         self.assertNotEqual((self.folder / "wheels.csv").read_text(), "old")
 
 

@@ -43,16 +43,19 @@ std::string Text(const std::string& name, const std::string& data) {
 TEST(Settings, AreAllReadFromAModel) {
   const Settings s =
       FromModel(Text("soil", "mud") + Text("tire", "slick w=lugs") + Text("ground", "field") +
-                Text("mode", "compaction") + Text("rigid_contact", "remove") +
-                Text("soil_file", "a.xml b.xml") + Text("tire_file", "c.xml") +
-                Numeric("grid_spacing", "0.05") + Numeric("volume_height", "0.03") +
-                Numeric("volumes", "20") + Numeric("clock", "0.02") + Numeric("sync", "1") +
-                Numeric("threads", "3") +
+                Text("bumps", "0.05, 0.8, 7") + Text("mode", "compaction") +
+                Text("rigid_contact", "remove") + Text("soil_file", "a.xml b.xml") +
+                Text("tire_file", "c.xml") + Numeric("grid_spacing", "0.05") +
+                Numeric("volume_height", "0.03") + Numeric("volumes", "20") +
+                Numeric("clock", "0.02") + Numeric("sync", "1") + Numeric("threads", "3") +
                 R"(<tuple name="softsoil_wheels"><element objtype="body" objname="w"/></tuple>)");
   EXPECT_EQ(s.soil, "mud");
   EXPECT_EQ(s.tires.of_all, "slick");
   EXPECT_EQ(s.tires.of_body.at("w"), "lugs");
   EXPECT_EQ(s.ground, "field");
+  EXPECT_EQ(s.bumps.height, 0.05);
+  EXPECT_EQ(s.bumps.spacing, 0.8);
+  EXPECT_EQ(s.bumps.seed, 7u);
   EXPECT_EQ(s.terrain.mode, SurfaceMode::kCompaction);
   EXPECT_TRUE(s.remove_rigid_contact);
   EXPECT_THAT(s.soil_files, ElementsAre("a.xml", "b.xml"));
@@ -70,6 +73,7 @@ TEST(Settings, NeedNothingFromAModelThatWantsNoSoil) {
   const Settings s = FromModel("<numeric name=\"other\" data=\"1 2\"/>");
   EXPECT_EQ(s.soil, "");
   EXPECT_EQ(s.tires.of_all, "auto");
+  EXPECT_EQ(s.bumps.height, 0);
   EXPECT_EQ(s.terrain.soil_clock, 0.01);
   EXPECT_EQ(s.terrain.volumes, 30);
   EXPECT_GE(s.terrain.threads, 1);
@@ -102,6 +106,17 @@ TEST(Settings, OfEveryKeyHaveTheDefaultThatTheTableTells) {
   }
 }
 
+TEST(Settings, MayHaveBumpsWithoutASeedOrNone) {
+  const Settings s = FromText("bumps=0.1,2");
+  EXPECT_EQ(s.bumps.height, 0.1);
+  EXPECT_EQ(s.bumps.spacing, 2);
+  EXPECT_EQ(s.bumps.seed, 0u);
+  EXPECT_EQ(FromText("bumps=0.1,2,999999").bumps.seed, 999999u);
+  Settings overridden = s;
+  Override("bumps=none", &overridden);
+  EXPECT_EQ(overridden.bumps.height, 0);
+}
+
 struct Case {
   std::string input, message;
 };
@@ -131,6 +146,10 @@ TEST(Settings, OfAModelAreRefusedWithNameRuleAndValue) {
            {Text("tire", "a b"),
             "<custom> softsoil_tire: must be one tire for all wheels, BODY=TIRE entries or both, "
             "got \"a b\""},
+           {Numeric("bumps", "0.1"), "<custom> softsoil_bumps: must be a <text>, got a <numeric>"},
+           {Text("bumps", "0.1 0.5"),
+            "<custom> softsoil_bumps: must be HEIGHT,SPACING or HEIGHT,SPACING,SEED or none, got "
+            "\"0.1 0.5\""},
            {Text("sol", "mud"),
             "<custom> softsoil_sol: unknown key; known are: softsoil_soil, softsoil_tire, "},
            {"<tuple name=\"softsoil_wheels\">" + body + geom + "</tuple>",
@@ -152,6 +171,22 @@ TEST(Settings, InATextAreRefusedWithNameRuleAndValue) {
            {"clock=1 clock=2", "settings: clock: is given twice"},
            {"soil=", "settings: soil: must not be empty"},
            {"wheels=", "settings: wheels: must name a body"},
+           {"bumps=0.1",
+            "bumps: must be HEIGHT,SPACING or HEIGHT,SPACING,SEED or none, got \"0.1\""},
+           {"bumps=0.1,,2",
+            "must be HEIGHT,SPACING or HEIGHT,SPACING,SEED or none, got \"0.1,,2\""},
+           {"bumps=0.1,2,3,4", "HEIGHT,SPACING,SEED or none, got \"0.1,2,3,4\""},
+           {"bumps=some", "HEIGHT,SPACING,SEED or none, got \"some\""},
+           {"bumps=0,2", "bumps: the height must be 0.0001 to 10 m, got \"0\""},
+           {"bumps=-0.1,2", "bumps: the height must be 0.0001 to 10 m, got \"-0.1\""},
+           {"bumps=nan,2", "bumps: the height must be 0.0001 to 10 m, got \"nan\""},
+           {"bumps=0.1,wide", "bumps: the spacing must be 0.01 to 1000 m, got \"wide\""},
+           {"bumps=0.001,0.009", "bumps: the spacing must be 0.01 to 1000 m, got \"0.009\""},
+           {"bumps=0.11,0.2",
+            "bumps: the height must be at most 0.5 times the spacing, got "
+            "\"0.11,0.2\""},
+           {"bumps=0.1,2,-1", "bumps: the seed must be 0 to 999999, got \"-1\""},
+           {"bumps=0.1,2,1.5", "bumps: the seed must be a whole number, got \"1.5\""},
            {"speed=1", "settings: speed: unknown key; known are: soil, tire, "},
        }) {
     EXPECT_THAT(Refusal(FromText, c.input), HasSubstr(c.message)) << c.input;

@@ -23,7 +23,7 @@ GREEN, RUST, BLUE, GREY = "#3f7d3a", "#b4552d", "#2f6690", "#6b6b6b"
 LOW_TO_HIGH = ["#e0a458", "#b4552d", "#4a2c2a"]
 RIGID = {"linestyle": (0, (5, 2.5)), "linewidth": 1.3}
 STYLE = {"axes.spines.top": False, "axes.spines.right": False, "axes.grid": True,
-         "grid.color": "#00000014", "axes.titlesize": 11, "axes.titleweight": "bold",
+         "grid.color": "black", "grid.alpha": 0.08, "axes.axisbelow": True, "axes.titlesize": 11, "axes.titleweight": "bold",
          "axes.titlelocation": "left", "legend.frameon": False, "lines.linewidth": 1.9,
          "lines.markersize": 4.5, "font.size": 10}
 
@@ -66,6 +66,11 @@ class Curves:
         axes.plot(x[unsteady], y[unsteady], "o", color="white", markeredgecolor=colour)
         if compare and self.rigid is not None:
             axes.plot(100 * self.rigid["slip"], scale * self.rigid[key], color=colour, **RIGID)
+
+    def mark_rolling(self, axes, slip):
+        """Where the wheel would roll freely."""
+        if not self.over_spin:
+            axes.axvline(100 * slip, color=GREY, linewidth=0.9, linestyle=":")
 
     def label(self, axes, title, unit):
         axes.set_title(title)
@@ -123,7 +128,7 @@ def name_of_lines(figure, ours, rigid):
 
 def subtitle_of(summary):
     free = summary["free_rolling"]
-    return (f"rolling freely: {100 * free['slip']:.1f} % slip, rolling radius "
+    return (f"rolling freely (dotted): {100 * free['slip']:.1f} % slip, rolling radius "
             f"{free['rolling_radius']:.3f} m, resistance {free['motion_resistance'] / 1000:.2f} kN")
 
 
@@ -135,6 +140,7 @@ def draw_curves(folder, summary):
     curves = Curves(ours, rigid, over_spin)
     for draw, axes in zip([draw_forces, draw_torque, draw_sinkage, draw_power], panels.flat):
         draw(curves, axes)
+        curves.mark_rolling(axes, summary["free_rolling"]["slip"])
     speed = "" if over_spin else f" at {summary['speed']:g} m/s"
     figure.suptitle(f"{title_of(summary)}{speed}\n", fontsize=13, x=0.012, ha="left")
     figure.text(0.012, 0.945, subtitle_of(summary), color=GREY, fontsize=10)
