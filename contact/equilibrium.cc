@@ -1,13 +1,12 @@
 #include "contact/equilibrium.h"
 
-#include <cmath>
-
 namespace softsoil {
 
-PressedState Equilibrium(const TireSpring& spring, double k_e, double n,
+PressedState Equilibrium(const TireSpring& spring, const PlateCurve& curve,
                          const PressedPoint& point) {
+  const PlaceInSoil place = PlaceAt(curve, point.depth);
   const double elastic = SpringPressure(spring, point.penetration);
-  if (elastic <= BearingPressure(k_e, n, point.depth)) {
+  if (elastic <= PressureAt(place, point.depth).value) {
     return {elastic, point.penetration, point.depth, false};
   }
   // At `low` the tire presses harder than the soil bears, at `high` it no longer presses at all.
@@ -16,21 +15,15 @@ PressedState Equilibrium(const TireSpring& spring, double k_e, double n,
   if (point.depth < 0) low = -point.depth / point.deepening;
   if (low >= high) return {0, 0, point.depth + point.deepening * high, true};
 
-  double u = (low + high) / 2;
-  for (int i = 0; i < 60 && high - low > 1e-12; ++i) {
+  const auto excess = [&](double u) -> ValueAndSlope {
     const double d = point.penetration - point.release * u;
-    const double z = point.depth + point.deepening * u;
-    const double bearing = BearingPressure(k_e, n, z);
-    const double excess = SpringPressure(spring, d) - bearing;
-    if (std::abs(excess) <= 1e-9 * elastic) break;
-    (excess > 0 ? low : high) = u;
-    const double slope =
-        -SpringSlope(spring, d) * point.release - BearingSlope(bearing, n, z) * point.deepening;
-    const double newton = u - excess / slope;
-    u = newton > low && newton < high ? newton : (low + high) / 2;
-  }
-  const double d = point.penetration - point.release * u;
-  return {SpringPressure(spring, d), d, point.depth + point.deepening * u, true};
+    const ValueAndSlope bearing = PressureAt(place, point.depth + point.deepening * u);
+    return {SpringPressure(spring, d) - bearing.value,
+            -SpringSlope(spring, d) * point.release - bearing.slope * point.deepening};
+  };
+  const double u = FallingRoot(excess, low, high, 1e-9 * elastic);
+  const double d = point.penetration - point.release * u, z = point.depth + point.deepening * u;
+  return {SpringPressure(spring, d), d, z, z >= place.z_u};
 }
 
 }  // namespace softsoil

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "contact/tire_spring.h"
-#include "terrain/bearing.h"
+#include "terrain/plate_curve.h"
 
 namespace softsoil {
 
@@ -22,15 +22,17 @@ struct PressedState {
   double pressure;     // [Pa]  sigma
   double penetration;  // [m]   d~ that is left in the tire
   double depth;        // [m]   z~ of the surface below the undisturbed ground
-  bool yields;         // the soil gave way
+  bool yields;         // the soil gave way beyond what springs back
 };
 
-// Solves f(d - release u) = k_e (z_c + deepening u)^n for the distance u >= 0 by which the soil
-// gives way; u = 0 where the soil bears the tire as it is. Equations 4.5 to 4.7 and algorithm
-// 4.1.3, with the cosine of kappa in 4.7 (the thesis prints the sine).
+// Solves f(d - release u) = p(z_c + deepening u) for the distance u >= 0 by which the soil gives
+// way; u = 0 where the soil bears the tire as it is. p is the bearing capacity k_e z^n, or below it
+// the line on which soil reloads that springs back. Equations 4.5 to 4.7 and algorithm 4.1.3, with
+// the cosine of kappa in 4.7 (the thesis prints the sine).
 //
-// Newton's method inside a bracket: the left side falls and the right side grows with u, so there
-// is one root, and it is found to 1e-12 m of u or 1e-9 of the pressure.
-PressedState Equilibrium(const TireSpring& spring, double k_e, double n, const PressedPoint& point);
+// The left side falls and the right side grows with u, so there is one root, and it is found to
+// 1e-12 m of u or 1e-9 of the pressure.
+PressedState Equilibrium(const TireSpring& spring, const PlateCurve& curve,
+                         const PressedPoint& point);
 
 }  // namespace softsoil

@@ -28,7 +28,7 @@ bool PointBelow(const TireShape& shape, const TirePose& pose, const Eigen::Vecto
 void PlasticSinkage(const Tire& tire, const TirePose& pose, const SurfacePatch& patch,
                     const Soil& soil, std::vector<NodeSinkage>* sinkage) {
   sinkage->clear();
-  const double k_e = BearingModulus(soil.bearing, tire.shape.width);
+  const PlateCurve curve = CurveUnder(soil.bearing, soil.unloading, tire.shape.width);
   for (int a = 0; a < patch.nodes_x(); ++a) {
     for (int b = 0; b < patch.nodes_y(); ++b) {
       const GridNode node{patch.first().i + a, patch.first().j + b};
@@ -36,8 +36,8 @@ void PlasticSinkage(const Tire& tire, const TirePose& pose, const SurfacePatch& 
                                      patch.Height(a, b));
       PressedPoint point;
       if (!PointBelow(tire.shape, pose, ground_w, patch.Sinkage(a, b), &point)) continue;
-      const PressedState state = Equilibrium(tire.spring, k_e, soil.bearing.n, point);
-      if (state.yields) sinkage->push_back({node, state.depth});
+      const PressedState state = Equilibrium(tire.spring, curve, point);
+      if (state.yields) sinkage->push_back({node, ResidualDepth(curve, state.depth)});
     }
   }
 }

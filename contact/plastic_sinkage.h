@@ -8,7 +8,7 @@
 namespace softsoil {
 
 // Sinkage at the grid nodes below the wheel where the soil yields: at each, the depth at which
-// tire pressure and bearing capacity balance. Fills `sinkage` anew.
+// tire pressure and bearing capacity balance, less what springs back. Fills `sinkage` anew.
 //
 // It is worked out at the grid nodes, from the tire's surface above each. Scattering the tire's
 // nodes onto the grid instead would let the rut creep ahead of the wheel, and the motion

@@ -13,9 +13,14 @@ const std::vector<Attribute<Tire>>& TireAttributes() {
        [](Tire& t) -> double& { return t.shape.radius; }},
       {"shape", "width", "m", 1, R::kTireSize, "width of the tread",
        [](Tire& t) -> double& { return t.shape.width; }},
-      {"spring", "coefficient", "Pa/m or Pa/m^0.5", 1, R::kPositive,
-       "pressure per penetration (linear) or per its root (square_root)",
-       [](Tire& t) -> double& { return t.spring.coefficient; }},
+      {"spring", "linear", "Pa/m", 1, R::kNotNegative, "pressure per penetration",
+       [](Tire& t) -> double& { return t.spring.linear; }, true},
+      {"spring", "quadratic", "Pa/m^2", 1, R::kNotNegative, "pressure per square of penetration",
+       [](Tire& t) -> double& { return t.spring.quadratic; }, true},
+      {"spring", "cubic", "Pa/m^3", 1, R::kNotNegative, "pressure per cube of penetration",
+       [](Tire& t) -> double& { return t.spring.cubic; }, true},
+      {"spring", "root", "Pa/m^0.5", 1, R::kNotNegative, "pressure per square root of penetration",
+       [](Tire& t) -> double& { return t.spring.root; }, true},
       {"spring", "damping", "Pa s/m", 1, R::kNotNegative,
        "pressure per speed at which the wheel nears the ground",
        [](Tire& t) -> double& { return t.damping; }},
@@ -49,14 +54,14 @@ Tire ReadTire(XmlEntry& entry) {
   tire.name = entry.name();
   tire.description = entry.description();
   entry.Fill(TireAttributes(), tire);
-  tire.spring.form = entry.Text("spring", "form", {"linear", "square_root"}) == "linear"
-                         ? SpringForm::kLinear
-                         : SpringForm::kSquareRoot;
   tire.shape.crown_radius = std::numeric_limits<double>::infinity();
   if (entry.Text("shape", "type", {"torus", "cylinder"}) == "torus") {
     tire.shape.crown_radius = entry.Number("shape", "crown_radius", "m", Range::kTireSize);
   }
   CheckShape(tire.shape, entry);
+  if (SpringPressure(tire.spring, 1) <= 0) {
+    entry.Refuse("the spring must have one of linear, quadratic, cubic, root > 0");
+  }
   return tire;
 }
 

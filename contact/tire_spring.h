@@ -7,23 +7,27 @@
 
 namespace softsoil {
 
-enum class SpringForm { kLinear, kSquareRoot };
-
+// p(d) = linear d + quadratic d^2 + cubic d^3 + root sqrt(d): the five forms that the thesis tries
+// are this law with some coefficients zero. None is negative and one at least is positive, so that
+// the pressure rises at any penetration (6.2.1): the balance with the soil then has one solution.
 struct TireSpring {
-  SpringForm form;
-  double coefficient;  // [Pa/m] linear, [Pa/m^0.5] square root; > 0
+  double linear = 0;     // [Pa/m]      >= 0
+  double quadratic = 0;  // [Pa/m^2]    >= 0
+  double cubic = 0;      // [Pa/m^3]    >= 0
+  double root = 0;       // [Pa/m^0.5]  >= 0
 };
 
-// Pressure f(d) [Pa] at the radial penetration d [m]; zero for d <= 0. Equation 4.5.
+// Pressure p(d) [Pa] at the radial penetration d [m]; zero for d <= 0. Equation 4.5.
 SOFTSOIL_HD inline double SpringPressure(const TireSpring& spring, double d) {
   if (d <= 0) return 0.0;
-  return spring.coefficient * (spring.form == SpringForm::kLinear ? d : std::sqrt(d));
+  const double polynomial = ((spring.cubic * d + spring.quadratic) * d + spring.linear) * d;
+  return polynomial + spring.root * std::sqrt(d);
 }
 
-// f'(d) [Pa/m] for d > 0.
+// p'(d) [Pa/m] for d > 0.
 SOFTSOIL_HD inline double SpringSlope(const TireSpring& spring, double d) {
-  return spring.form == SpringForm::kLinear ? spring.coefficient
-                                            : spring.coefficient / (2 * std::sqrt(d));
+  const double polynomial = (3 * spring.cubic * d + 2 * spring.quadratic) * d + spring.linear;
+  return spring.root > 0 ? polynomial + spring.root / (2 * std::sqrt(d)) : polynomial;
 }
 
 }  // namespace softsoil

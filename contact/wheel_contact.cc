@@ -74,11 +74,12 @@ void WheelContact::Evaluate(const TirePose& pose, const Surface& surface, const 
   forces->contacts.clear();
   forces->surface.clear();
   const Vector3d up_t = pose.frame_w.row(2);
+  const PlateCurve curve = CurveUnder(soil.bearing, soil.unloading, tire_.shape.width);
   const double highest = forces->patch.highest() - pose.centre_w.z();
   for (std::size_t i = 0; i < nodes_.size(); ++i) {
     if (nodes_.position_t[i].dot(up_t) >= highest) continue;
     NodeContact contact;
-    if (!Press(static_cast<int>(i), pose, forces->patch, soil, &contact)) continue;
+    if (!Press(static_cast<int>(i), pose, forces->patch, curve, &contact)) continue;
     Rub(pose, soil, h, &contact);
     const Vector3d force_w = contact.normal_force_w + contact.shear_force_w;
     forces->wrench.force_w += force_w;
@@ -88,15 +89,14 @@ void WheelContact::Evaluate(const TirePose& pose, const Surface& surface, const 
   }
 }
 
-bool WheelContact::Press(int i, const TirePose& pose, const SurfacePatch& patch, const Soil& soil,
-                         NodeContact* contact) const {
+bool WheelContact::Press(int i, const TirePose& pose, const SurfacePatch& patch,
+                         const PlateCurve& curve, NodeContact* contact) const {
   const Vector3d node_w = pose.centre_w + pose.frame_w * nodes_.position_t[i];
   const SurfacePoint ground = patch.At(node_w.x(), node_w.y());
   const double below = ground.height - node_w.z();
   const Vector3d radial_w = pose.frame_w * nodes_.radial_t[i];
   if (below <= 0 || radial_w.z() >= 0) return false;
 
-  const double k_e = BearingModulus(soil.bearing, tire_.shape.width), n = soil.bearing.n;
   const double descent = Descent(radial_w, ground.slope_x, ground.slope_y);
   PressedPoint point;
   point.penetration = std::min(below / std::max(descent, kLeastDescent), nodes_.radius[i]);
@@ -104,11 +104,12 @@ bool WheelContact::Press(int i, const TirePose& pose, const SurfacePatch& patch,
   point.release = 1;
   point.deepening =
       std::max(Descent(radial_w, ground.undisturbed_x, ground.undisturbed_y), kLeastDescent);
-  const PressedState state = Equilibrium(tire_.spring, k_e, n, point);
+  const PressedState state = Equilibrium(tire_.spring, curve, point);
 
   contact->node = i;
   // Damped. Neither does soil pull nor does it bear more than its capacity.
-  const double most = state.yields ? state.pressure : BearingPressure(k_e, n, state.depth);
+  const double most =
+      state.yields ? state.pressure : BearingPressure(curve.k_e, curve.n, state.depth);
   contact->pressure =
       std::clamp(state.pressure + tire_.damping * ClosingSpeed(pose, ground), 0.0, most);
   contact->area = LoadedArea(nodes_.area[i], nodes_.radius[i], state.penetration);
@@ -130,7 +131,8 @@ void WheelContact::Rub(const TirePose& pose, const Soil& soil, double h,
   contact->mobilisation = Slip(mobilisation_[i], v_t, v_b, h, K);
   const double lead = ShearLead(std::hypot(v_t, v_b), K);
   const Mobilisation damped = Slip(contact->mobilisation, v_t, v_b, lead, K);
-  const double strength = ShearStrength(soil.shear, tire_.soil_friction, contact->pressure);
+  const double strength = ShearStrength(soil.shear, tire_.soil_friction, contact->pressure) *
+                          HumpFactor(soil.shear, damped.slip);
   contact->shear_force_w =
       -strength * contact->area * (damped.t * tangent_w + damped.b * binormal_w);
 }

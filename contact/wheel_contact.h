@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "contact/tire_nodes.h"
+#include "terrain/plate_curve.h"
 #include "terrain/shear.h"
 #include "terrain/soil.h"
 #include "terrain/surface.h"
@@ -78,7 +79,7 @@ class WheelContact {
 
  private:
   // Normal contact of one node; false if it is above the ground.
-  bool Press(int node, const TirePose& pose, const SurfacePatch& patch, const Soil& soil,
+  bool Press(int node, const TirePose& pose, const SurfacePatch& patch, const PlateCurve& curve,
              NodeContact* contact) const;
   // Shear of a node that is pressed.
   void Rub(const TirePose& pose, const Soil& soil, double h, NodeContact* contact) const;

@@ -100,9 +100,9 @@ Tire AutoTire(const Wheel& wheel, double load) {
   tire.shape = ShapeOf(wheel);
   tire.soil_friction = kSoilFriction;
   tire.damping = 0;
-  tire.spring = {SpringForm::kLinear, 1};
+  tire.spring.linear = 1;
   const double z = kDeflection * wheel.radius;
-  tire.spring.coefficient = load / FlatPlateLoad(tire, z, wheel.radius / 100);
+  tire.spring.linear = load / FlatPlateLoad(tire, z, wheel.radius / 100);
 
   const double gravity = 9.81;  // [m/s^2]  only for the size of the damping
   const double stiffness = load / z;

@@ -7,7 +7,15 @@
 
 namespace softsoil {
 
-enum class Range { kAny, kNotNegative, kPositive, kUpTo90Degrees, kConcentration, kTireSize };
+enum class Range {
+  kAny,
+  kNotNegative,
+  kPositive,
+  kUpToOne,
+  kUpTo90Degrees,
+  kConcentration,
+  kTireSize
+};
 
 // Whether a value lies in a range, and the range in words: "> 0".
 bool Contains(Range range, double value);
@@ -23,6 +31,7 @@ struct Attribute {
   Range range;
   const char* meaning;
   double& (*field)(Entry&);
+  bool optional = false;  // zero where it is left out
 };
 
 }  // namespace softsoil

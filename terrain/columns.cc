@@ -16,6 +16,12 @@ struct Columns::Tile {
   std::vector<double> density;
   std::vector<float> preconsolidation_density, preconsolidation_stress, peak_density;
 
+  void Resize(std::size_t count) {
+    density.resize(count);
+    preconsolidation_density.resize(count);
+    preconsolidation_stress.resize(count);
+    peak_density.resize(count);
+  }
   SoilVolume Load(std::size_t k) const {
     return {density[k], preconsolidation_density[k], preconsolidation_stress[k], peak_density[k],
             preconsolidation_density[k]};
@@ -38,7 +44,15 @@ Columns::Columns(const Soil& soil, const ColumnSettings& settings, UndisturbedHe
     : soil_(soil),
       settings_(settings),
       undisturbed_(std::move(undisturbed)),
-      stress_field_(std::move(stress_field)) {}
+      stress_field_(std::move(stress_field)) {
+  for (int k = 0; k < settings.volumes; ++k) {
+    const double middle = (k + 0.5) * settings.volume_height;
+    const SoilVolume volume = UndisturbedVolume(soil.compaction, InitialDensity(soil, middle));
+    undisturbed_volumes_.push_back(volume);
+    yield_stress_ = k == 0 ? volume.preconsolidation_stress
+                           : std::min(yield_stress_, volume.preconsolidation_stress);
+  }
+}
 
 Columns::~Columns() = default;
 
@@ -68,14 +82,13 @@ PeriodResult Columns::Advance(const SurfaceLoad& load, double period) {
 
 std::vector<Columns::Visit> Columns::ColumnsToVisit(const SurfaceLoad& load) {
   const LoadReach reach(load, soil_.concentration_factor);
-  const double yield_stress = VirginStress(soil_.compaction, soil_.compaction.initial_density);
   const double dx = settings_.spacing;
   std::vector<Visit> visits;
-  reach.ForEachRectangle(yield_stress, [&](double x0, double x1, double y0, double y1) {
+  reach.ForEachRectangle(yield_stress_, [&](double x0, double x1, double y0, double y1) {
     for (int i = static_cast<int>(std::ceil(x0 / dx)); i * dx <= x1; ++i) {
       for (int j = static_cast<int>(std::ceil(y0 / dx)); j * dx <= y1; ++j) {
         const LoadReach::Bound bound = reach.At(i * dx, j * dx);
-        if (bound.stress < yield_stress) continue;
+        if (bound.stress < yield_stress_) continue;
         visits.push_back({TileOf({i, j}), PlaceInTile({i, j}), bound.source});
       }
     }
@@ -117,7 +130,7 @@ ColumnBatch Columns::Geometry(const std::vector<Visit>& visits, const SurfaceLoa
     double bottom = tile.base[visits[i].place];
     for (int k = settings_.volumes - 1; k >= 0; --k) {
       const double height =
-          VolumeMass() / tile.density[std::size_t(visits[i].place) * settings_.volumes + k];
+          VolumeMass(k) / tile.density[std::size_t(visits[i].place) * settings_.volumes + k];
       batch.z[i * settings_.volumes + k] = bottom + height / 2;
       bottom += height;
     }
@@ -134,7 +147,7 @@ double Columns::Compact(const Visit& visit, const float* stress, double period) 
     SoilVolume volume = tile.Load(index);
     const double before = volume.density;
     softsoil::Advance(soil_.compaction, stress[k], period, volume);
-    energy += CompactionEnergy(stress[k], before, volume.density) * area * VolumeMass() / before;
+    energy += CompactionEnergy(stress[k], before, volume.density) * area * VolumeMass(k) / before;
     tile.Store(index, volume);
   }
   return energy;
@@ -145,7 +158,7 @@ double Columns::Sinkage(const Visit& visit) const {
   double strain = 0;
   for (int k = 0; k < settings_.volumes; ++k) {
     const std::size_t index = std::size_t(visit.place) * settings_.volumes + k;
-    strain += 1 - soil_.compaction.initial_density / tile.density[index];
+    strain += 1 - undisturbed_volumes_[k].density / tile.density[index];
   }
   return settings_.volume_height * strain;
 }
@@ -153,12 +166,10 @@ double Columns::Sinkage(const Visit& visit) const {
 Columns::Tile& Columns::Touch(TileIndex index) {
   return tiles_.Touch(index, [this, index] {
     auto tile = std::make_unique<Tile>();
-    const SoilVolume fresh = UndisturbedVolume(soil_.compaction);
-    const std::size_t count = std::size_t(kColumnsPerTile) * settings_.volumes;
-    tile->density.assign(count, fresh.density);
-    tile->preconsolidation_density.assign(count, static_cast<float>(fresh.density));
-    tile->preconsolidation_stress.assign(count, static_cast<float>(fresh.preconsolidation_stress));
-    tile->peak_density.assign(count, 0.0f);
+    tile->Resize(std::size_t(kColumnsPerTile) * settings_.volumes);
+    for (std::size_t k = 0; k < tile->density.size(); ++k) {
+      tile->Store(k, undisturbed_volumes_[k % settings_.volumes]);
+    }
     const double depth = settings_.volumes * settings_.volume_height;
     for (int place = 0; place < kColumnsPerTile; ++place) {
       const GridNode node = NodeAt(index, place);

@@ -59,13 +59,17 @@ class Columns {
   // Returns the compaction energy [J].
   double Compact(const Visit& visit, const float* stress, double period);
   double Sinkage(const Visit& visit) const;
-  // Mass [kg/m^2] of a volume per area of its column; compaction does not change it.
-  double VolumeMass() const { return settings_.volume_height * soil_.compaction.initial_density; }
+  // Mass [kg/m^2] of the volume k per area of its column; compaction does not change it.
+  double VolumeMass(int k) const {
+    return settings_.volume_height * undisturbed_volumes_[k].density;
+  }
   Tile& Touch(TileIndex index);
 
   Soil soil_;
   ColumnSettings settings_;
   UndisturbedHeight undisturbed_;
+  std::vector<SoilVolume> undisturbed_volumes_;  // of any column, from the top down
+  double yield_stress_;                          // [Pa]  of the weakest of them
   std::unique_ptr<StressField> stress_field_;
   TileMap<Tile> tiles_;
   std::set<TileIndex> open_tiles_;  // tiles with an open load cycle

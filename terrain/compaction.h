@@ -42,11 +42,15 @@ SOFTSOIL_HD inline double VirginStress(const Compaction& soil, double density) {
   return soil.reference_stress * std::pow(10.0, decades);
 }
 
-// Undisturbed volume: on the virgin curve, so a looser soil yields earlier. The moisture shift
-// moves the curve once; the thesis adds it anew in every load cycle (algorithm 3.2.3, line 1).
-SOFTSOIL_HD inline SoilVolume UndisturbedVolume(const Compaction& soil) {
-  const double density = soil.initial_density;
+// Undisturbed volume of a density [kg/m^3]: on the virgin curve, so a looser soil yields earlier.
+// The moisture shift moves the curve once; the thesis adds it anew in every load cycle
+// (algorithm 3.2.3, line 1).
+SOFTSOIL_HD inline SoilVolume UndisturbedVolume(const Compaction& soil, double density) {
   return {density, density, VirginStress(soil, density), 0, density};
+}
+
+SOFTSOIL_HD inline SoilVolume UndisturbedVolume(const Compaction& soil) {
+  return UndisturbedVolume(soil, soil.initial_density);
 }
 
 SOFTSOIL_HD inline bool CycleIsOpen(const SoilVolume& volume) { return volume.peak_density > 0; }

@@ -7,10 +7,19 @@
 
 namespace softsoil {
 
+// How shear stress follows slip.
+//   kJanosiHanamoto  tau = tau_max (1 - exp(-j/K))              equation 2.5
+//   kHumped          tau = tau_max (j/K) exp(1 - j/K) to the peak at j = K; beyond it tau falls
+//                    to residual * tau_max. Equation 2.8 (after Kacigin and Guskov 1968), which
+//                    names the residual ratio K_r but has no term for it; 0 is as printed.
+enum class ShearForm { kJanosiHanamoto, kHumped };
+
 struct Shear {
   double cohesion;        // [Pa]   c, >= 0
   double friction_angle;  // [rad]  phi, 0 to below pi/2
-  double modulus;         // [m]    K: slip that mobilises 63 % of the strength, > 0
+  double modulus;         // [m]    K: slip that mobilises 63 % of the strength; humped: all, > 0
+  ShearForm form = ShearForm::kJanosiHanamoto;
+  double residual = 0;  // [-]  K_r of the humped form, 0 to 1
 };
 
 // Largest shear stress [Pa] that a surface of friction coefficient mu_s can pass to soil under
@@ -23,9 +32,11 @@ SOFTSOIL_HD inline double ShearStrength(const Shear& soil, double mu_s, double s
   return mohr_coulomb < friction ? mohr_coulomb : friction;
 }
 
-// Share of the shear strength that is mobilised, as a vector in the tangent plane, length 0 to 1.
+// Share of the shear strength that is mobilised after Janosi and Hanamoto, as a vector in the
+// tangent plane, length 0 to 1; and the way slipped since the contact began, in any direction.
 struct Mobilisation {
-  double t, b;  // [-]  along the tangent and the binormal of the node
+  double t, b;      // [-]  along the tangent and the binormal of the node
+  double slip = 0;  // [m]
 };
 
 // Mobilisation after slipping for the time h [s] at the velocity (v_t, v_b) [m/s].
@@ -40,7 +51,20 @@ SOFTSOIL_HD inline Mobilisation Slip(Mobilisation m, double v_t, double v_b, dou
   if (speed <= 0) return m;
   const double kept = std::exp(-h * speed / K);
   const double towards_t = v_t / speed, towards_b = v_b / speed;
-  return {towards_t + (m.t - towards_t) * kept, towards_b + (m.b - towards_b) * kept};
+  return {towards_t + (m.t - towards_t) * kept, towards_b + (m.b - towards_b) * kept,
+          m.slip + h * speed};
+}
+
+// What a mobilised shear stress must be multiplied with after the way `slip` [m], so that a hump
+// follows on a straight slip; 1 for Janosi-Hanamoto. The way counts, not the stress: a mat of roots
+// or a crust that has been torn stays torn when the slip reverses.
+SOFTSOIL_HD inline double HumpFactor(const Shear& soil, double slip) {
+  if (soil.form == ShearForm::kJanosiHanamoto) return 1.0;
+  const double x = slip / soil.modulus;
+  if (x < 1e-9) return std::exp(1.0);  // the limit
+  const double hump = x * std::exp(1 - x);
+  const double share = x < 1 ? hump : soil.residual + (1 - soil.residual) * hump;
+  return share / -std::expm1(-x);
 }
 
 }  // namespace softsoil

@@ -6,14 +6,28 @@
 
 namespace softsoil {
 
-const std::vector<Attribute<Soil>>& SoilAttributes() {
-  using R = Range;
-  static const std::vector<Attribute<Soil>> table = {
-      {"bearing", "k_c", "N/m^(n+1)", 1, R::kNotNegative, "cohesive modulus (Bekker)",
-       [](Soil& s) -> double& { return s.bearing.k_c; }},
-      {"bearing", "k_phi", "N/m^(n+2)", 1, R::kPositive, "frictional modulus (Bekker)",
-       [](Soil& s) -> double& { return s.bearing.k_phi; }},
-      {"bearing", "n", "", 1, R::kPositive, "sinkage exponent (Bekker)",
+namespace {
+
+using Table = std::vector<Attribute<Soil>>;
+using R = Range;
+
+Table BearingAttributes(BearingForm form) {
+  if (form == BearingForm::kReece) {
+    return {
+        {"bearing", "k_1", "Pa", 1, R::kNotNegative, "cohesive modulus c k'_c (Reece)",
+         [](Soil& s) -> double& { return s.bearing.k_c; }},
+        {"bearing", "k_2", "Pa/m", 1, R::kNotNegative, "frictional modulus gamma k'_phi (Reece)",
+         [](Soil& s) -> double& { return s.bearing.k_phi; }}};
+  }
+  return {{"bearing", "k_c", "N/m^(n+1)", 1, R::kNotNegative, "cohesive modulus (Bekker)",
+           [](Soil& s) -> double& { return s.bearing.k_c; }},
+          {"bearing", "k_phi", "N/m^(n+2)", 1, R::kPositive, "frictional modulus (Bekker)",
+           [](Soil& s) -> double& { return s.bearing.k_phi; }}};
+}
+
+Table CommonAttributes() {
+  return {
+      {"bearing", "n", "", 1, R::kPositive, "sinkage exponent",
        [](Soil& s) -> double& { return s.bearing.n; }},
       {"shear", "cohesion", "Pa", 1, R::kNotNegative, "cohesion (Mohr-Coulomb)",
        [](Soil& s) -> double& { return s.shear.cohesion; }},
@@ -44,10 +58,13 @@ const std::vector<Attribute<Soil>>& SoilAttributes() {
        "Froehlich's concentration factor: 3 elastic, 6 very soft",
        [](Soil& s) -> double& { return s.concentration_factor; }},
   };
-  return table;
 }
 
-namespace {
+Table SoilTable(BearingForm form) {
+  Table table = BearingAttributes(form);
+  for (const Attribute<Soil>& attribute : CommonAttributes()) table.push_back(attribute);
+  return table;
+}
 
 // rho_S = S_T (S_1 - S_0) of equation 3.5; the element may be left out.
 double MoistureShift(XmlEntry& entry) {
@@ -63,25 +80,96 @@ double MoistureShift(XmlEntry& entry) {
 // would compact it as far as the eye sees.
 constexpr double kLeastYieldStress = 100;
 
-void RefuseTooLoose(const XmlEntry& entry, const Compaction& soil) {
-  if (VirginStress(soil, soil.initial_density) >= kLeastYieldStress) return;
+void RefuseTooLoose(const XmlEntry& entry, const Compaction& soil, double density) {
+  if (VirginStress(soil, density) >= kLeastYieldStress) return;
   const double least = soil.reference_density + soil.moisture_shift +
                        soil.index * std::log10(kLeastYieldStress / soil.reference_stress);
   entry.Refuse("initial_density must be >= " + Shown(least) +
-               " kg/m^3, where the virgin curve has 100 Pa, got " + Shown(soil.initial_density));
+               " kg/m^3, where the virgin curve has 100 Pa, got " + Shown(density));
+}
+
+void ReadBearing(XmlEntry& entry, Soil* soil) {
+  const bool reece =
+      entry.Has("bearing", "form") && entry.Text("bearing", "form", {"bekker", "reece"}) == "reece";
+  soil->bearing.form = reece ? BearingForm::kReece : BearingForm::kBekker;
+  entry.Fill(SoilAttributes(soil->bearing.form), *soil);
+  if (soil->bearing.k_c == 0 && soil->bearing.k_phi == 0) {
+    entry.Refuse("one of k_1 and k_2 must be > 0");
+  }
+}
+
+void ReadShearForm(XmlEntry& entry, Shear* shear) {
+  if (!entry.Has("shear", "form")) return;
+  if (entry.Text("shear", "form", {"janosi_hanamoto", "humped"}) != "humped") return;
+  shear->form = ShearForm::kHumped;
+  shear->residual = entry.Number("shear", "residual", "", Range::kUpToOne);
+}
+
+Unloading ReadUnloading(XmlEntry& entry) {
+  if (!entry.Has("unloading")) return {};
+  const Unloading unloading{entry.Number("unloading", "k_0", "Pa/m", Range::kNotNegative),
+                            entry.Number("unloading", "A_u", "Pa/m^2", Range::kNotNegative)};
+  if (unloading.k_0 == 0 && unloading.A_u == 0) entry.Refuse("one of k_0 and A_u must be > 0");
+  return unloading;
+}
+
+std::vector<DensityLayer> ReadLayers(XmlEntry& entry) {
+  if (!entry.Has("layers")) return {};
+  const auto tops = entry.Numbers("layers", "top", "m", Range::kPositive);
+  const auto densities = entry.Numbers("layers", "initial_density", "kg/m^3", Range::kPositive);
+  if (tops.size() != densities.size()) {
+    entry.Refuse("top and initial_density of <layers> must be as many numbers, got " +
+                 std::to_string(tops.size()) + " and " + std::to_string(densities.size()));
+  }
+  std::vector<DensityLayer> layers;
+  for (std::size_t i = 0; i < tops.size(); ++i) {
+    if (i > 0 && tops[i] <= tops[i - 1]) {
+      entry.Refuse("top of <layers> must rise, got " + Shown(tops[i]) + " m after " +
+                   Shown(tops[i - 1]) + " m");
+    }
+    layers.push_back({tops[i], densities[i]});
+  }
+  return layers;
+}
+
+std::optional<MaxStress> ReadMaxStress(XmlEntry& entry) {
+  if (!entry.Has("max_stress")) return std::nullopt;
+  return MaxStress{entry.Number("max_stress", "c_1", "", Range::kUpToOne),
+                   entry.Number("max_stress", "c_2", "", Range::kUpToOne)};
 }
 
 Soil ReadSoil(XmlEntry& entry) {
   Soil soil{};
   soil.name = entry.name();
   soil.description = entry.description();
-  entry.Fill(SoilAttributes(), soil);
+  ReadBearing(entry, &soil);
+  ReadShearForm(entry, &soil.shear);
+  soil.unloading = ReadUnloading(entry);
   soil.compaction.moisture_shift = MoistureShift(entry);
-  RefuseTooLoose(entry, soil.compaction);
+  soil.layers = ReadLayers(entry);
+  soil.max_stress = ReadMaxStress(entry);
+  RefuseTooLoose(entry, soil.compaction, soil.compaction.initial_density);
+  for (const DensityLayer& layer : soil.layers) {
+    RefuseTooLoose(entry, soil.compaction, layer.density);
+  }
   return soil;
 }
 
 }  // namespace
+
+const std::vector<Attribute<Soil>>& SoilAttributes(BearingForm form) {
+  static const Table bekker = SoilTable(BearingForm::kBekker);
+  static const Table reece = SoilTable(BearingForm::kReece);
+  return form == BearingForm::kReece ? reece : bekker;
+}
+
+double InitialDensity(const Soil& soil, double depth) {
+  double density = soil.compaction.initial_density;
+  for (const DensityLayer& layer : soil.layers) {
+    if (depth >= layer.top) density = layer.density;
+  }
+  return density;
+}
 
 Catalogue<Soil> SoilCatalogue() { return {"soil", ReadSoil}; }
 

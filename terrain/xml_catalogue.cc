@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstring>
 #include <filesystem>
+#include <sstream>
 #include <system_error>
 
 namespace softsoil {
@@ -38,6 +39,7 @@ bool Contains(Range range, double value) {
     case Range::kAny: return std::isfinite(value);
     case Range::kNotNegative: return value >= 0 && std::isfinite(value);
     case Range::kPositive: return value > 0 && std::isfinite(value);
+    case Range::kUpToOne: return value >= 0 && value <= 1;
     case Range::kUpTo90Degrees: return value >= 0 && value < 90;
     case Range::kConcentration: return value >= 3 && value <= 6;
     case Range::kTireSize: return value >= 0.001 && value <= 100;
@@ -50,6 +52,7 @@ std::string InWords(Range range) {
     case Range::kAny: return "finite";
     case Range::kNotNegative: return ">= 0";
     case Range::kPositive: return "> 0";
+    case Range::kUpToOne: return "0 to 1";
     case Range::kUpTo90Degrees: return ">= 0 and < 90";
     case Range::kConcentration: return "3 to 6";
     case Range::kTireSize: return "0.001 to 100";
@@ -76,6 +79,10 @@ bool XmlEntry::Has(const char* element) const {
   return element_.FirstChildElement(element) != nullptr;
 }
 
+bool XmlEntry::Has(const char* element, const char* name) const {
+  return Has(element) && Child(element).Attribute(name) != nullptr;
+}
+
 const tinyxml2::XMLElement& XmlEntry::Child(const char* element) const {
   const tinyxml2::XMLElement* child = element_.FirstChildElement(element);
   if (child == nullptr) Refuse(std::string("element <") + element + "> is missing");
@@ -95,7 +102,22 @@ const char* XmlEntry::Value(const char* element, const char* name) {
 }
 
 double XmlEntry::Number(const char* element, const char* name, const char* unit, Range range) {
-  const char* text = Value(element, name);
+  return Parsed(Value(element, name), element, name, unit, range);
+}
+
+std::vector<double> XmlEntry::Numbers(const char* element, const char* name, const char* unit,
+                                      Range range) {
+  std::istringstream words(Value(element, name));
+  std::vector<double> numbers;
+  for (std::string word; words >> word;) {
+    numbers.push_back(Parsed(word, element, name, unit, range));
+  }
+  if (numbers.empty()) Refuse(Child(element), std::string(name) + " must not be empty");
+  return numbers;
+}
+
+double XmlEntry::Parsed(const std::string& text, const char* element, const char* name,
+                        const char* unit, Range range) const {
   const std::string unit_text = *unit != '\0' ? std::string(" ") + unit : "";
   double value = 0;
   if (!ParseNumber(text, &value)) {

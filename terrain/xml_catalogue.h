@@ -27,12 +27,16 @@ class XmlEntry {
   // The text of an attribute; one of `allowed` unless that is empty.
   std::string Text(const char* element, const char* name,
                    const std::vector<std::string>& allowed = {});
+  // Numbers between blanks, one at least, each in the range.
+  std::vector<double> Numbers(const char* element, const char* name, const char* unit, Range range);
   bool Has(const char* element) const;
+  bool Has(const char* element, const char* name) const;
 
-  // Fills the fields of a table.
+  // Fills the fields of a table. What is optional and left out stays as it is.
   template <class Entry>
   void Fill(const std::vector<Attribute<Entry>>& table, Entry& entry) {
     for (const Attribute<Entry>& a : table) {
+      if (a.optional && !Has(a.element, a.name)) continue;
       a.field(entry) = Number(a.element, a.name, a.unit, a.range) * a.to_si;
     }
   }
@@ -46,6 +50,8 @@ class XmlEntry {
  private:
   [[noreturn]] void Refuse(const tinyxml2::XMLElement& at, const std::string& rule) const;
   const tinyxml2::XMLElement& Child(const char* element) const;
+  double Parsed(const std::string& text, const char* element, const char* name, const char* unit,
+                Range range) const;
   const char* Value(const char* element, const char* name);
 
   std::string file_;

@@ -21,6 +21,7 @@ int ParseAndRun(int argc, char** argv) {
   program.failure_message(BadUsage);
   AddRunCommand(program);
   AddDrawbarCommand(program);
+  AddWongReeceCommand(program);
   AddListCommand(program);
   AddWithCommand(program);
   try {

@@ -101,11 +101,12 @@ BENCHMARK(BM_CopyPatch)->Apply(Wheels);
 BENCHMARK(BM_GatherLoad)->Apply(Wheels);
 
 void BM_Equilibrium(benchmark::State& state) {
-  const TireSpring spring{SpringForm::kSquareRoot, 3.469e5};
+  TireSpring spring;
+  spring.root = 3.469e5;
   PressedPoint point{0.1, state.range(0) * 1e-3, 1, 0.9};
   for (auto _ : state) {
     benchmark::DoNotOptimize(point);
-    benchmark::DoNotOptimize(Equilibrium(spring, 1.15e6, 0.85, point));
+    benchmark::DoNotOptimize(Equilibrium(spring, {1.15e6, 0.85, {}}, point));
   }
 }
 BENCHMARK(BM_Equilibrium)->ArgName("depth_mm")->Arg(0)->Arg(40)->Arg(200);

@@ -13,7 +13,7 @@ namespace {
 const std::string kTorus = R"(<tires>
 <tire name="fat">
 <shape type="torus" radius="0.91" crown_radius="0.661" width="0.467" source="a test"/>
-<spring form="square_root" coefficient="346900" damping="8900" source="a test"/>
+<spring root="346900" damping="8900" source="a test"/>
 <friction coefficient="0.65" source="a test"/>
 </tire>
 </tires>
@@ -55,8 +55,8 @@ TEST(TireCatalogue, HasTheTractorTireOfTheThesis) {
   EXPECT_DOUBLE_EQ(tire.shape.radius, 0.91);
   EXPECT_DOUBLE_EQ(tire.shape.crown_radius, 0.661);
   EXPECT_NEAR(tire.shape.width, 18.4 * 0.0254, 0.001);
-  EXPECT_EQ(tire.spring.form, SpringForm::kSquareRoot);
-  EXPECT_DOUBLE_EQ(tire.spring.coefficient, 3.469e5);
+  EXPECT_DOUBLE_EQ(tire.spring.root, 3.469e5);
+  EXPECT_EQ(tire.spring.linear, 0);
 }
 
 // Madsen (2014), 4.2.1: a = 7.99 and 14.7, in psi/in.
@@ -64,9 +64,9 @@ TEST(TireCatalogue, HasTheTruckTireOfTheThesis) {
   const double psi_per_inch = 6894.757 / 0.0254;
   const Tire soft = Shipped().Find("37x12.5R16.5_15psi"),
              hard = Shipped().Find("37x12.5R16.5_35psi");
-  EXPECT_EQ(soft.spring.form, SpringForm::kLinear);
-  EXPECT_NEAR(soft.spring.coefficient / (7.99 * psi_per_inch), 1, 1e-4);
-  EXPECT_NEAR(hard.spring.coefficient / (14.7 * psi_per_inch), 1, 1e-4);
+  EXPECT_EQ(soft.spring.root, 0);
+  EXPECT_NEAR(soft.spring.linear / (7.99 * psi_per_inch), 1, 1e-4);
+  EXPECT_NEAR(hard.spring.linear / (14.7 * psi_per_inch), 1, 1e-4);
   EXPECT_TRUE(std::isinf(soft.shape.crown_radius));
   EXPECT_NEAR(soft.shape.radius, 37 * 0.0254 / 2, 1e-4);
   EXPECT_NEAR(soft.shape.width, 12.5 * 0.0254, 1e-4);
@@ -92,30 +92,47 @@ TEST(TireFile, FillsEveryField) {
   EXPECT_EQ(torus.shape.radius, 0.91);
   EXPECT_EQ(torus.shape.crown_radius, 0.661);
   EXPECT_EQ(torus.shape.width, 0.467);
-  EXPECT_EQ(torus.spring.form, SpringForm::kSquareRoot);
-  EXPECT_EQ(torus.spring.coefficient, 346900);
+  EXPECT_EQ(torus.spring.root, 346900);
+  EXPECT_EQ(torus.spring.linear, 0);
   EXPECT_EQ(torus.damping, 8900);
   EXPECT_EQ(torus.soil_friction, 0.65);
   EXPECT_TRUE(std::isinf(Read(kCylinder).shape.crown_radius));
-  EXPECT_EQ(Read(Replaced(kTorus, "square_root", "linear")).spring.form, SpringForm::kLinear);
 }
 
-// The text of an attribute in the torus file, from the space before it: ` radius="0.91"`.
-std::string Written(const Attribute<Tire>& attribute) {
-  const std::size_t element = kTorus.find(std::string("<") + attribute.element + " ");
-  const std::size_t start = kTorus.find(" " + std::string(attribute.name) + "=\"", element);
-  return kTorus.substr(start, kTorus.find('"', kTorus.find('"', start) + 1) + 1 - start);
+TEST(TireFile, AddsUpTheTermsOfASpring) {
+  const TireSpring spring =
+      Read(Replaced(kTorus, "root=\"346900\"",
+                    "linear=\"1e6\" quadratic=\"2e6\" cubic=\"3e6\" root=\"4e5\""))
+          .spring;
+  EXPECT_DOUBLE_EQ(SpringPressure(spring, 0.25), 0.25e6 + 0.125e6 + 3e6 / 64 + 2e5);
 }
 
-// The file with that text replaced in its own element.
+TEST(TireFile, RefusesASpringWithoutAnyTerm) {
+  const std::string rule =
+      ":2: <tire name=\"fat\">: the spring must have one of linear, quadratic, cubic, root > 0";
+  EXPECT_EQ(Refusal(Replaced(kTorus, " root=\"346900\"", "")), rule);
+  EXPECT_EQ(Refusal(Replaced(kTorus, "346900", "0")), rule);
+}
+
+// The torus file with an attribute replaced by `text`, or with `text` added if it is left out.
 std::string With(const Attribute<Tire>& attribute, const std::string& text) {
   const std::size_t element = kTorus.find(std::string("<") + attribute.element + " ");
-  return kTorus.substr(0, element) + Replaced(kTorus.substr(element), Written(attribute), text);
+  const std::size_t end = kTorus.find("/>", element);
+  std::string inside = kTorus.substr(element, end - element);
+  const std::size_t start = inside.find(" " + std::string(attribute.name) + "=\"");
+  if (start == std::string::npos) {
+    inside += text;
+  } else {
+    const std::size_t last = inside.find('"', inside.find('"', start) + 1);
+    inside.replace(start, last + 1 - start, text);
+  }
+  return kTorus.substr(0, element) + inside + kTorus.substr(end);
 }
 
-TEST(TireFile, RequiresEveryAttributeOfTheTable) {
+TEST(TireFile, RequiresEveryAttributeThatIsNotOptional) {
   ASSERT_GE(TireAttributes().size(), 5u);
   for (const Attribute<Tire>& attribute : TireAttributes()) {
+    if (attribute.optional) continue;
     const std::string refusal = Refusal(With(attribute, ""));
     EXPECT_EQ(refusal.substr(refusal.find(": ") + 2), std::string("<tire name=\"fat\"> <") +
                                                           attribute.element + ">: attribute " +
@@ -149,14 +166,11 @@ TEST(TireFile, RefusesACrownRadiusOfACylinder) {
             ":3: <tire name=\"fat\"> <shape>: unknown attribute crown_radius");
 }
 
-TEST(TireFile, RefusesUnknownShapesAndSprings) {
+TEST(TireFile, RefusesUnknownShapes) {
   EXPECT_EQ(Refusal(Replaced(kTorus, "torus", "ball")),
             ":3: <tire name=\"fat\"> <shape>: type must be one of torus, cylinder, got \"ball\"");
-  EXPECT_EQ(
-      Refusal(Replaced(kTorus, "square_root", "cubic")),
-      ":4: <tire name=\"fat\"> <spring>: form must be one of linear, square_root, got \"cubic\"");
-  EXPECT_EQ(Refusal(Replaced(kTorus, "square_root", "")),
-            ":4: <tire name=\"fat\"> <spring>: form must not be empty");
+  EXPECT_EQ(Refusal(Replaced(kTorus, "torus", "")),
+            ":3: <tire name=\"fat\"> <shape>: type must not be empty");
 }
 
 TEST(TireFile, RefusesAMissingSource) {

@@ -12,12 +12,13 @@ struct Case {
   double k_e, n;
   PressedPoint point;
 
-  PressedState Solve() const { return Equilibrium(spring, k_e, n, point); }
+  PressedState Solve() const { return Equilibrium(spring, {k_e, n, {}}, point); }
 
   // The two sides of the balance once the soil has given way by u [m].
   double TirePressure(double u) const {
     const double d = std::max(0.0, point.penetration - point.release * u);
-    return spring.coefficient * (spring.form == SpringForm::kLinear ? d : std::sqrt(d));
+    return spring.linear * d + spring.quadratic * d * d + spring.cubic * d * d * d +
+           spring.root * std::sqrt(d);
   }
   double SoilPressure(double u) const {
     const double z = point.depth + point.deepening * u;
@@ -29,8 +30,7 @@ struct Case {
 class Cases {
  public:
   Case Next() {
-    const SpringForm form = Uniform(0, 1) < 0.5 ? SpringForm::kLinear : SpringForm::kSquareRoot;
-    Case c{{form, Power(4, 8)}, Power(3, 9), Uniform(0.1, 2), {}};
+    Case c{Spring(), Power(3, 9), Uniform(0.1, 2), {}};
     c.point = {Power(-9, -0.3), Uniform(-0.2, 1), Uniform(0.05, 1), Uniform(0.05, 1)};
     if (Uniform(0, 1) < 0.3) c.point.depth = 0;
     if (Uniform(0, 1) < 0.3) c.point.depth = Power(-9, -1);
@@ -39,6 +39,17 @@ class Cases {
   }
 
  private:
+  // Of each of the five forms, or of all terms at once.
+  TireSpring Spring() {
+    switch (std::uniform_int_distribution<int>(0, 5)(random_)) {
+      case 0: return {Power(4, 8), 0, 0, 0};
+      case 1: return {Power(4, 8), Power(5, 9), 0, 0};
+      case 2: return {Power(4, 8), Power(5, 9), Power(6, 10), 0};
+      case 3: return {Power(4, 8), 0, 0, Power(4, 8)};
+      case 4: return {0, 0, 0, Power(4, 8)};
+      default: return {Power(4, 8), Power(5, 9), Power(6, 10), Power(4, 8)};
+    }
+  }
   double Uniform(double low, double high) {
     return std::uniform_real_distribution<double>(low, high)(random_);
   }
@@ -109,16 +120,16 @@ TEST(Equilibrium, LeavesSoilThatBearsTheTireAsItIs) {
 // A linear tire of stiffness a on soil with n = 1 is two springs in series.
 TEST(Equilibrium, IsTwoSpringsInSeriesOnALinearSoil) {
   const double a = 2e6, k_e = 1e6;
-  const Case c{{SpringForm::kLinear, a}, k_e, 1, {0.06, 0, 1, 1}};
+  const Case c{{a, 0, 0, 0}, k_e, 1, {0.06, 0, 1, 1}};
   EXPECT_NEAR(c.Solve().pressure, 0.06 / (1 / a + 1 / k_e), 1e-3);
   EXPECT_NEAR(c.Solve().depth, 0.04, 1e-9);
   EXPECT_NEAR(c.Solve().penetration, 0.02, 1e-9);
 }
 
 TEST(Equilibrium, PushesABermDownBeforeItBears) {
-  const Case c{{SpringForm::kLinear, 2e6}, 1e6, 1, {0.08, -0.02, 1, 1}};
+  const Case c{{2e6, 0, 0, 0}, 1e6, 1, {0.08, -0.02, 1, 1}};
   EXPECT_NEAR(c.Solve().depth, 0.04, 1e-9);  // the case above, after 2 cm of berm
-  const Case high{{SpringForm::kLinear, 2e6}, 1e6, 1, {0.015, -0.02, 1, 1}};
+  const Case high{{2e6, 0, 0, 0}, 1e6, 1, {0.015, -0.02, 1, 1}};
   EXPECT_EQ(high.Solve().pressure, 0);
   EXPECT_NEAR(high.Solve().depth, -0.005, 1e-12);
 }
@@ -126,7 +137,7 @@ TEST(Equilibrium, PushesABermDownBeforeItBears) {
 TEST(Equilibrium, SinksLessIntoStrongerSoil) {
   double last = 1;
   for (double k_e = 1e3; k_e < 1e9; k_e *= 2) {
-    const Case c{{SpringForm::kSquareRoot, 3.469e5}, k_e, 0.85, {0.1, 0, 0.9, 1}};
+    const Case c{{0, 0, 0, 3.469e5}, k_e, 0.85, {0.1, 0, 0.9, 1}};
     EXPECT_LT(c.Solve().depth, last) << k_e;
     last = c.Solve().depth;
   }

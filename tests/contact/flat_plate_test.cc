@@ -27,9 +27,8 @@ double PlateIntegral(const Tire& tire, double z) {
     for (int i = 0; i < kPoints; ++i) {
       const double x = (i + 0.5) / kPoints * half_length, c2 = x * x + a * a;
       const double d = R - std::sqrt(c2);
-      const double f = tire.spring.form == SpringForm::kLinear ? d : std::sqrt(d);
-      load +=
-          4 * tire.spring.coefficient * f * a * a / c2 * half_length / kPoints * b / 2 / kPoints;
+      const double pressure = tire.spring.linear * d + tire.spring.root * std::sqrt(d);
+      load += 4 * pressure * a * a / c2 * half_length / kPoints * b / 2 / kPoints;
     }
   }
   return load;
@@ -69,7 +68,7 @@ TEST(FlatPlate, ConvergesAsTheNodesGetCloser) {
 //   F = 2 w a (r - z) (r theta_r - (r - z) ln(sec theta_r + tan theta_r))
 TEST(FlatPlate, HasAClosedFormForALinearCylinder) {
   const Tire tire = TruckTire();
-  const double r = tire.shape.radius, w = tire.shape.width, a = tire.spring.coefficient;
+  const double r = tire.shape.radius, w = tire.shape.width, a = tire.spring.linear;
   for (double z : {0.01, 0.0508, 0.1}) {
     const double angle = std::acos((r - z) / r);
     const double load = 2 * w * a * (r - z) *
@@ -82,7 +81,7 @@ TEST(FlatPlate, HasAClosedFormForALinearCylinder) {
 // shrinks it with the radius. They differ by the share z / r at most, and agree for a small one.
 TEST(FlatPlate, ApproachesEquation4_18ForSmallDeflections) {
   const Tire tire = TruckTire();
-  const double r = tire.shape.radius, w = tire.shape.width, a = tire.spring.coefficient;
+  const double r = tire.shape.radius, w = tire.shape.width, a = tire.spring.linear;
   for (double z : {0.003, 0.01, 0.0508, 0.1}) {
     const double angle = std::acos((r - z) / r);
     const double load =

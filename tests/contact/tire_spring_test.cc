@@ -5,8 +5,10 @@
 namespace softsoil {
 namespace {
 
-constexpr TireSpring kSprings[] = {{SpringForm::kLinear, 1.314e6},
-                                   {SpringForm::kSquareRoot, 3.469e5}};
+// One of each form, and one of all terms.
+constexpr TireSpring kSprings[] = {
+    {1.314e6, 0, 0, 0},       {7.433e5, 8.63e6, 0, 0}, {6.991e5, 7.445e6, 7.29e6, 0},
+    {2.289e5, 0, 0, 2.889e5}, {0, 0, 0, 3.469e5},      {1e5, 2e6, 3e6, 4e5}};
 
 TEST(TireSpring, PressesOnlyWhenPressed) {
   for (const TireSpring& spring : kSprings) {
@@ -24,9 +26,12 @@ TEST(TireSpring, StiffensWithPenetration) {
   }
 }
 
-TEST(TireSpring, FollowsItsForm) {
-  EXPECT_DOUBLE_EQ(SpringPressure({SpringForm::kLinear, 2e6}, 0.04), 8e4);
-  EXPECT_DOUBLE_EQ(SpringPressure({SpringForm::kSquareRoot, 2e6}, 0.04), 4e5);
+TEST(TireSpring, IsTheSumOfItsTerms) {
+  EXPECT_EQ(SpringPressure({2e6, 0, 0, 0}, 0.04), 8e4);
+  EXPECT_DOUBLE_EQ(SpringPressure({0, 2e6, 0, 0}, 0.04), 3200);
+  EXPECT_DOUBLE_EQ(SpringPressure({0, 0, 2e6, 0}, 0.04), 128);
+  EXPECT_EQ(SpringPressure({0, 0, 0, 2e6}, 0.04), 4e5);
+  EXPECT_DOUBLE_EQ(SpringPressure({2e6, 2e6, 2e6, 2e6}, 0.04), 8e4 + 3200 + 128 + 4e5);
 }
 
 TEST(TireSpring, HasTheSlopeOfItsPressure) {

@@ -36,5 +36,21 @@ TEST(BearingSlope, IsThatOfFiniteDifferences) {
   }
 }
 
+// p = (k_1 + k_2 b) (z/b)^n with compact sand of Wong and Reece (1967), in pounds and inches: 20
+// psi, 2.5 psi/in, n 0.47 under a 6 in plate pressed 3 in deep.
+TEST(BearingPressure, InTheFormOfReeceScalesWithThePlate) {
+  const Bearing sand{20, 2.5, 0.47, BearingForm::kReece};
+  EXPECT_NEAR(BearingPressure(BearingModulus(sand, 6), sand.n, 3), 35 * std::pow(0.5, 0.47), 1e-9);
+  EXPECT_NEAR(BearingPressure(BearingModulus(sand, 12), sand.n, 6), 50 * std::pow(0.5, 0.47), 1e-9);
+}
+
+// The two forms meet where their moduli do: k_1 b^-n = k_c/b for n = 1.
+TEST(BearingPressure, OfBekkerAndReeceAgreeForALinearSoil) {
+  const Bearing bekker{5000, 8e5, 1}, reece{5000, 8e5, 1, BearingForm::kReece};
+  for (double b : {0.1, 0.3, 0.7}) {
+    EXPECT_NEAR(BearingModulus(bekker, b), BearingModulus(reece, b), 1e-9 * 8e5) << b;
+  }
+}
+
 }  // namespace
 }  // namespace softsoil

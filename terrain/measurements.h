@@ -1,0 +1,47 @@
+// A table of measurements: a CSV file whose header names every column and its unit, such as
+// `sinkage [mm], pressure [kPa]`. Numbers are converted to SI when read.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace softsoil {
+
+enum class Quantity { kLength, kForce, kPressure };
+
+struct MeasuredColumn {
+  std::string name;
+  Quantity quantity;
+};
+
+class Measurements {
+ public:
+  // Reads the columns asked for; the file may hold them in any order and in any unit of their
+  // quantity, and no others. Throws InputError with file, line, rule and value: a column missing,
+  // unknown or twice, without unit or with one of another quantity; a cell that is no number; or
+  // fewer than `least_rows` rows.
+  Measurements(const std::string& file, const std::vector<MeasuredColumn>& columns,
+               std::size_t least_rows);
+
+  std::size_t rows() const { return lines_.size(); }
+  // A column [m], [N] or [Pa] by row.
+  const std::vector<double>& Column(const std::string& name) const;
+
+  // Throws InputError with file and line of a row.
+  [[noreturn]] void Refuse(std::size_t row, const std::string& rule) const;
+
+  // Throws unless all of a column is >= 0, or > 0.
+  void RequireNotNegative(const std::string& name) const;
+  void RequirePositive(const std::string& name) const;
+
+ private:
+  std::size_t IndexOf(const std::string& name) const;
+  void Require(const std::string& name, const char* rule, bool (*holds)(double)) const;
+
+  std::string file_;
+  std::vector<MeasuredColumn> columns_;
+  std::vector<std::vector<double>> values_;  // by column and row
+  std::vector<int> lines_;                   // in the file, by row
+};
+
+}  // namespace softsoil
