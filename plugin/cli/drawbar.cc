@@ -99,9 +99,9 @@ std::unique_ptr<Simulation> MakeRig(const SoilBin& bin, int soil_threads) {
 
 // Results of an earlier run would be taken for those of one that is killed.
 void RemoveOldResults(const std::string& folder) {
-  for (const char* name :
-       {"soil_bin.xml", "drawbar.csv", "history.csv", "centre_line.csv", "wong_reece.csv",
-        "wong_reece_rim.csv", "summary.json", "drawbar.png", "centre_line.png", "history.png"}) {
+  for (const char* name : {"soil_bin.xml", "drawbar.csv", "history.csv", "centre_line.csv",
+                           "wong_reece.csv", "rim_stress.csv", "wong_reece.json", "summary.json",
+                           "drawbar.png", "centre_line.png", "history.png"}) {
     std::filesystem::remove(folder + "/" + name);
   }
 }
@@ -167,7 +167,7 @@ void SayWhatIsNotSteady(const DrawbarResult& result) {
   }
 }
 
-void RunCurve(const DrawbarOptions& options, const SoilBin& bin, const RigidCurves& rigid) {
+void RunCurve(const DrawbarOptions& options, const SoilBin& bin, const WongReeceResults& rigid) {
   const DrawbarResult result = Curve(options, bin).Run();
   SayWhatIsNotSteady(result);
   CentreLines lines;
@@ -177,7 +177,7 @@ void RunCurve(const DrawbarOptions& options, const SoilBin& bin, const RigidCurv
   WriteModel(options, bin);
   const bool by_slip = options.mode == BinMode::kSlip;
   WriteCentreLineCsv(options.folder, by_slip ? "slip [-]" : "spin [rad/s]", lines);
-  if (options.wong_reece) WriteRigidCurves(options.folder, rigid);
+  if (options.wong_reece) WriteWongReece(rigid, options.folder);
   WriteDrawbarSummary(options, bin.shape.radius, &result.rolling);
   WriteDrawbarCsv(options.folder, result.cases);
   PrintDrawbar(options, bin.shape.radius, result);
@@ -202,8 +202,8 @@ void Drawbar(const DrawbarOptions& options) {
   const Soil soil = FindIn(SoilCatalogue(), "soils", options.soil_files, options.soil);
   const Tire tire = FindIn(TireCatalogue(), "tires", options.tire_files, options.tire);
   const SoilBin bin = BinOf(options, tire);
-  RigidCurves rigid;
-  if (options.wong_reece) rigid = RigidCurvesOf(tire.shape, soil, options);
+  WongReeceResults rigid;
+  if (options.wong_reece) rigid = RigidWheelBeside(tire, soil, options);
   const std::string python = options.picture ? PythonThatPlots() : "";
   HandleMujocoMessages();
   MakeRig(bin, 1);  // refuses bad settings
@@ -211,7 +211,7 @@ void Drawbar(const DrawbarOptions& options) {
   RemoveOldResults(options.folder);
   const bool curve = options.mode != BinMode::kTorque;
   curve ? RunCurve(options, bin, rigid) : RunHistory(options, bin);
-  if (options.picture) DrawDrawbar(python, options.folder);
+  if (options.picture) DrawPictures(python, options.folder, {"drawbar"});
   std::printf("Results in %s: %s, centre_line.csv, soil_bin.xml%s\n", options.folder.c_str(),
               curve ? "drawbar.csv" : "history.csv", options.picture ? ", pictures" : "");
   FlushStandardOutput();

@@ -6,7 +6,6 @@
 #include <utility>
 #include <vector>
 
-#include "contact/wong_reece.h"
 #include "plugin/cli/soil_bin.h"
 #include "plugin/cli/steady_state.h"
 
@@ -24,9 +23,9 @@ struct DrawbarOptions {
   double time = 0;            // [s]      in mode torque, from the instant the torque sets in
   std::vector<double> contact_times;  // [s]  in mode torque
   std::string bumps;                  // of the ground, in mode torque; empty: flat
-  // The rigid wheel of Wong and Reece beside ours, if one is given; in mode slip.
-  std::optional<MaxStressPlace> wong_reece;
-  int threads = 1;  // cases at a time
+  bool wong_reece = false;            // also the rigid wheel, in mode slip
+  std::optional<double> c_1, c_2;     // [-]  of the rigid wheel, both or none: the soil's
+  int threads = 1;                    // cases at a time
   // Settings of softsoil, without the prefix softsoil_.
   std::vector<std::pair<std::string, std::string>> settings;
   std::string folder;
@@ -54,7 +53,7 @@ struct DrawbarResult {
 
 // Writes soil_bin.xml, the model that runs, and
 //   modes slip and spin  drawbar.csv, centre_line.csv, summary.json; drawbar.png, centre_line.png;
-//                        wong_reece.csv, wong_reece_rim.csv if asked for
+//                        wong_reece.csv, rim_stress.csv, wong_reece.json if asked for
 //   mode torque          history.csv, centre_line.csv, summary.json; history.png, centre_line.png
 // Refuses bad input with InputError before anything is written, and a load that the soil does not
 // carry before any result is; throws std::runtime_error if a case fails.

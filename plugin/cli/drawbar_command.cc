@@ -28,10 +28,10 @@ const std::map<std::string, std::string>& Reserved() {
 // The texts of the command line that are not yet what they mean.
 struct Line {
   DrawbarOptions options;
-  std::string mode = "slip", slip, spin, contact_times, max_stress = "0.43,0.32";
+  std::string mode = "slip", slip, spin, contact_times;
   std::vector<std::string> settings;
   int threads = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
-  bool no_picture = false, wong_reece = false;
+  bool no_picture = false;
   CLI::App* command = nullptr;
 
   bool Given(const char* option) const { return command->count(option) > 0; }
@@ -73,20 +73,15 @@ void CheckMode(const Line& line) {
                        line.mode);
     }
   }
-  if (line.Given("--max-stress") && !line.wong_reece) {
-    throw InputError("--max-stress is for --wong-reece");
+  if (line.Given("--c1") != line.Given("--c2")) {
+    throw InputError("--c1 and --c2 must be given together");
+  }
+  if (line.Given("--c1") && !line.options.wong_reece) {
+    throw InputError("--c1 and --c2 are for --wong-reece");
   }
   if (line.mode == "torque" && line.Given("--speed")) {
     throw InputError("--speed is for --mode slip and spin, not for --mode torque");
   }
-}
-
-MaxStressPlace PlaceOf(const std::string& text) {
-  const std::vector<double> numbers = NumbersIn("--max-stress", text);
-  if (numbers.size() != 2) {
-    throw InputError("--max-stress must be c_1,c_2, got \"" + text + "\"");
-  }
-  return {numbers[0], numbers[1]};
 }
 
 BinMode ModeOf(const std::string& name) {
@@ -106,7 +101,6 @@ void RunLine(Line* line) {
             ? NumbersIn("--contact-times", line->contact_times)
             : std::vector<double>{0.2 * options.time, 0.6 * options.time, options.time};
   }
-  if (line->wong_reece) options.wong_reece = PlaceOf(line->max_stress);
   for (const std::string& setting : line->settings) ReadSetting(setting, &options);
   if (line->threads < 1 || line->threads > kMostThreads) {
     throw InputError("--threads must be 1 to " + std::to_string(kMostThreads) + ", got " +
@@ -150,13 +144,12 @@ void AddDrives(CLI::App* command, Line* line) {
   command->add_option("--spin", line->spin, "Spin in --mode spin [rad/s]: as --slip");
   command->add_option("--speed", options.speed, "Forward speed in --mode slip [m/s]")
       ->capture_default_str();
-  command->add_flag("--wong-reece", line->wong_reece,
+  command->add_flag("--wong-reece", options.wong_reece,
                     "Also the rigid wheel of Wong and Reece, in --mode slip");
-  command
-      ->add_option("--max-stress", line->max_stress,
-                   "c_1,c_2 of --wong-reece, where the pressure on the rim is greatest; left out: "
-                   "compact sand of Wong and Reece 1967 (loose sand: 0.18,0.32)")
-      ->capture_default_str();
+  command->add_option(
+      "--c1", options.c_1,
+      "--wong-reece: soil presses most at (c1 + c2 i) of the entry angle; if left out the soil's");
+  command->add_option("--c2", options.c_2, "See --c1");
   command->add_option("--torque", options.torque, "Torque in --mode torque [N m]");
   command->add_option("--time", options.time, "Time to simulate in --mode torque [s]");
   command->add_option("--bumps", options.bumps,

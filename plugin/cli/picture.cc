@@ -8,7 +8,6 @@
 #include <cerrno>
 #include <cstring>
 #include <stdexcept>
-#include <vector>
 
 #include "plugin/cli/paths.h"
 #include "terrain/input_error.h"
@@ -44,17 +43,6 @@ int Execute(std::vector<std::string> words, Messages messages) {
   return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
 }
 
-// Runs a script on the results in a folder; `picture` is what the message names.
-void Draw(const std::string& python, const std::string& name, const std::string& folder,
-          const std::string& picture) {
-  const std::string script = ShareFolder() + "/plot/" + name;
-  const int status = Execute({python, script, folder}, Messages::kShown);
-  if (status != 0) {
-    throw std::runtime_error(folder + picture + ": " + script + " failed with exit status " +
-                             std::to_string(status));
-  }
-}
-
 }  // namespace
 
 std::string PythonThatPlots() {
@@ -66,14 +54,15 @@ std::string PythonThatPlots() {
       "python3-matplotlib), and none was found; --no-picture runs without");
 }
 
-void DrawPictures(const std::string& python, const std::string& folder) {
-  for (const std::string name : {"terrain", "contact"}) {
-    Draw(python, name + ".py", folder, "/" + name + ".png");
+void DrawPictures(const std::string& python, const std::string& folder,
+                  const std::vector<std::string>& names) {
+  for (const std::string& name : names) {
+    const std::string script = ShareFolder() + "/plot/" + name + ".py";
+    const int status = Execute({python, script, folder}, Messages::kShown);
+    if (status == 0) continue;
+    throw std::runtime_error(folder + "/" + name + ".png: " + script + " failed with exit status " +
+                             std::to_string(status));
   }
-}
-
-void DrawDrawbar(const std::string& python, const std::string& folder) {
-  Draw(python, "drawbar.py", folder, "");
 }
 
 }  // namespace softsoil

@@ -110,7 +110,7 @@ void Run(const Line& line) {
     std::filesystem::remove(line.folder + "/" + name);  // of an earlier run
   }
   WriteWongReece(results, line.folder);
-  if (!line.no_picture) Draw(python, "wong_reece", line.folder);
+  if (!line.no_picture) DrawPictures(python, line.folder, {"wong_reece"});
   PrintWongReece(results);
 }
 

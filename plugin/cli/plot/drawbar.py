@@ -22,10 +22,12 @@ from matplotlib.lines import Line2D
 GREEN, RUST, BLUE, GREY = "#3f7d3a", "#b4552d", "#2f6690", "#6b6b6b"
 LOW_TO_HIGH = ["#e0a458", "#b4552d", "#4a2c2a"]
 RIGID = {"linestyle": (0, (5, 2.5)), "linewidth": 1.3}
+TEXTS = ["wheel", "mode"]  # columns that hold no numbers
 STYLE = {"axes.spines.top": False, "axes.spines.right": False, "axes.grid": True,
-         "grid.color": "black", "grid.alpha": 0.08, "axes.axisbelow": True, "axes.titlesize": 11, "axes.titleweight": "bold",
-         "axes.titlelocation": "left", "legend.frameon": False, "lines.linewidth": 1.9,
-         "lines.markersize": 4.5, "font.size": 10}
+         "grid.color": "black", "grid.alpha": 0.08, "axes.axisbelow": True, "axes.titlesize": 11,
+         "axes.titleweight": "bold", "axes.titlelocation": "left", "legend.edgecolor": "none",
+         "legend.framealpha": 0.85, "lines.linewidth": 1.9, "lines.markersize": 4.5,
+         "font.size": 10}
 
 
 def read_table(path):
@@ -36,8 +38,17 @@ def read_table(path):
         rows = list(csv.DictReader(file))
     names = [name.split(" [")[0] for name in (rows[0] if rows else {})]
     values = [[row[key] for row in rows] for key in (rows[0] if rows else {})]
-    return {name: np.array(column) if name == "wheel" else np.array(column, float)
+    return {name: np.array(column, str if name in TEXTS else float)
             for name, column in zip(names, values)}
+
+
+def read_rigid_wheel(folder, summary):
+    """None if it was not asked for, or rolls at no slip."""
+    rigid = read_table(folder / "wong_reece.csv")
+    if not rigid:
+        return None
+    rigid["power"] = rigid["torque"] * (1 + rigid["slip"]) * summary["speed"] / summary["radius"]
+    return {key: values[np.argsort(rigid["slip"])] for key, values in rigid.items()}
 
 
 def title_of(summary):
@@ -80,8 +91,10 @@ class Curves:
 
 
 def from_zero(axes):
-    low, high = axes.get_ylim()
-    axes.set_ylim(min(0, low), max(0, high))
+    """Zero at the edge or inside, and room for the markers."""
+    low, high = axes.dataLim.intervaly
+    room = 0.05 * (max(high, 0) - min(low, 0))
+    axes.set_ylim(min(0, low) - room * (low < 0), max(0, high) + room * (high > 0))
 
 
 def draw_forces(curves, axes):
@@ -114,8 +127,8 @@ def draw_sinkage(curves, axes):
     axes.legend(loc="best")
 
 
-def name_of_lines(figure, ours, rigid):
-    """What full and dashed lines are, below the panels."""
+def name_lines(axes, ours, rigid):
+    """Says in one panel what full and dashed lines are in all."""
     handles = [Line2D([], [], color="#222222", marker="o", label="softsoil")]
     if np.any(ours["steady"] == 0):
         handles.append(Line2D([], [], color="#222222", marker="o", markerfacecolor="white",
@@ -123,19 +136,20 @@ def name_of_lines(figure, ours, rigid):
     if rigid is not None:
         handles.append(Line2D([], [], color="#222222", label="rigid wheel, Wong and Reece", **RIGID))
     if len(handles) > 1:
-        figure.legend(handles=handles, loc="outside lower center", ncol=len(handles))
+        axes.legend(handles=handles, loc="best")
 
 
 def subtitle_of(summary):
     free = summary["free_rolling"]
-    return (f"rolling freely (dotted): {100 * free['slip']:.1f} % slip, rolling radius "
+    where = f"at {summary['speed']:g} m/s" if summary["mode"] == "spin" else "(dotted)"
+    return (f"rolling freely {where}: {100 * free['slip']:.1f} % slip, rolling radius "
             f"{free['rolling_radius']:.3f} m, resistance {free['motion_resistance'] / 1000:.2f} kN")
 
 
 def draw_curves(folder, summary):
     ours = read_table(folder / "drawbar.csv")
     over_spin = summary["mode"] == "spin"
-    rigid = None if over_spin else read_table(folder / "wong_reece.csv")
+    rigid = read_rigid_wheel(folder, summary)
     figure, panels = plt.subplots(2, 2, figsize=(10, 7.4), layout="constrained")
     curves = Curves(ours, rigid, over_spin)
     for draw, axes in zip([draw_forces, draw_torque, draw_sinkage, draw_power], panels.flat):
@@ -144,7 +158,7 @@ def draw_curves(folder, summary):
     speed = "" if over_spin else f" at {summary['speed']:g} m/s"
     figure.suptitle(f"{title_of(summary)}{speed}\n", fontsize=13, x=0.012, ha="left")
     figure.text(0.012, 0.945, subtitle_of(summary), color=GREY, fontsize=10)
-    name_of_lines(figure, ours, rigid)
+    name_lines(panels[0, 1], ours, rigid)
     save(figure, folder, "drawbar.png")
 
 
@@ -164,7 +178,7 @@ def named(key, value, summary):
 
 def draw_centre_line(folder, summary):
     lines = read_table(folder / "centre_line.csv")
-    rigid = read_table(folder / "wong_reece_rim.csv")
+    rigid = read_table(folder / "rim_stress.csv") or None
     figure, (above, below) = plt.subplots(2, 1, figsize=(8.5, 7), sharex=True,
                                           layout="constrained")
     key = next(iter(lines), "slip")
