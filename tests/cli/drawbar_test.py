@@ -8,6 +8,7 @@ from program import BAD_INPUT, COARSE, InAFolder, softsoil
 
 TIRE, SOIL, LOAD = "18.4R38_85kPa", "tilled_yolo_loam", 18000
 RADIUS, GRAVITY = 0.91, 9.81
+TORQUE = 3000  # [N m]
 CURVE = ["drawbar.csv", "centre_line.csv", "summary.json", "soil_bin.xml"]
 UNITS = {"slip": "-", "rolling_slip": "-", "thrust": "N", "motion_resistance": "N",
          "drawbar_pull": "N", "torque": "N m", "power": "W", "sinkage": "m", "rut_depth": "m",
@@ -129,7 +130,7 @@ class PrescribedSpin(Bin):
 
 class PrescribedTorque(Bin):
     def history(self, *more):
-        done = self.drawbar("--mode", "torque", "--torque", 1600, "--time", 2, *more)
+        done = self.drawbar("--mode", "torque", "--torque", TORQUE, "--time", 2, *more)
         self.assertEqual(done.returncode, 0, done.stderr)
         return table(self.folder / "history.csv")
 
@@ -149,11 +150,12 @@ class PrescribedTorque(Bin):
 
     def test_bumps_shake_the_wheel(self):
         def swing(rows):
-            heights = [float(row["z [m]"]) for row in rows]
+            heights = [float(row["z [m]"]) for row in rows if float(row["time [s]"]) > 1]
             return max(heights) - min(heights)
 
         flat, bumpy = swing(self.history()), swing(self.history("--bumps", "0.1,1,7"))
-        self.assertGreater(bumpy, flat + 0.005)
+        self.assertLess(flat, 0.002)
+        self.assertGreater(bumpy, 0.004)
 
 
 class RigidWheel(Bin):
@@ -196,7 +198,7 @@ class BadInput(Bin):
 
     def test_numbers_out_of_range(self):
         self.refused("--slip must be -0.99 to 100, got -1", "--slip=-1")
-        self.refused("--load must be 0.1 to 10000000 N, got 0", "--slip", "0.1", load=0)
+        self.refused("--load must be 0.1 to 1e+07 N, got 0", "--slip", "0.1", load=0)
         self.refused("--load must be", "--slip", "0.1", load="nan")
         self.refused("--speed must be 0.01 to 100 m/s, got 0", "--slip", "0.1", "--speed", "0")
         self.refused("--slip must be 1 to 200 numbers, got 1001", "--slip", "0:1:0.001")

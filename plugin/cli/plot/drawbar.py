@@ -21,6 +21,7 @@ from matplotlib.lines import Line2D
 
 GREEN, RUST, BLUE, GREY = "#3f7d3a", "#b4552d", "#2f6690", "#6b6b6b"
 LOW_TO_HIGH = ["#e0a458", "#b4552d", "#4a2c2a"]
+RIGID_NAME = "rigid wheel, Wong and Reece"
 RIGID = {"linestyle": (0, (5, 2.5)), "linewidth": 1.3}
 TEXTS = ["wheel", "mode"]  # columns that hold no numbers
 STYLE = {"axes.spines.top": False, "axes.spines.right": False, "axes.grid": True,
@@ -86,8 +87,17 @@ class Curves:
     def label(self, axes, title, unit):
         axes.set_title(title)
         axes.set_ylabel(unit)
-        axes.set_xlabel("spin [rad/s]" if self.over_spin else "slip (rω − v)/v, unloaded radius [%]")
+        slip = "slip (rω − v)/v, unloaded radius [%]"
+        axes.set_xlabel("spin [rad/s]" if self.over_spin else slip)
         axes.margins(x=0.02)
+
+
+def legend_above(axes, handles=None):
+    """In the row of the title, where it covers no line."""
+    handles = handles or axes.get_legend_handles_labels()[0]
+    axes.legend(handles=handles, loc="lower right", bbox_to_anchor=(1.0, 1.0), ncol=len(handles),
+                borderaxespad=0.1, columnspacing=1.1, handlelength=1.7, handletextpad=0.5,
+                fontsize=9)
 
 
 def from_zero(axes):
@@ -103,7 +113,7 @@ def draw_forces(curves, axes):
         curves.draw(axes, key, colour, name, 1e-3)
     curves.label(axes, "Forces", "[kN]")
     from_zero(axes)
-    axes.legend(loc="best")
+    legend_above(axes)
 
 
 def draw_torque(curves, axes):
@@ -119,12 +129,12 @@ def draw_power(curves, axes):
 
 
 def draw_sinkage(curves, axes):
-    curves.draw(axes, "sinkage", RUST, "sinkage of the wheel", 100)
-    curves.draw(axes, "rut_depth", GREY, "depth of the rut", 100, compare=False)
+    curves.draw(axes, "sinkage", RUST, "wheel", 100)
+    curves.draw(axes, "rut_depth", GREY, "rut", 100, compare=False)
     curves.label(axes, "Sinkage", "[cm]")
     axes.set_ylim(0, 1.15 * axes.get_ylim()[1])
     axes.invert_yaxis()
-    axes.legend(loc="best")
+    legend_above(axes)
 
 
 def name_lines(axes, ours, rigid):
@@ -134,9 +144,9 @@ def name_lines(axes, ours, rigid):
         handles.append(Line2D([], [], color="#222222", marker="o", markerfacecolor="white",
                               label="not steady"))
     if rigid is not None:
-        handles.append(Line2D([], [], color="#222222", label="rigid wheel, Wong and Reece", **RIGID))
+        handles.append(Line2D([], [], color="#222222", label=RIGID_NAME, **RIGID))
     if len(handles) > 1:
-        axes.legend(handles=handles, loc="best")
+        legend_above(axes, handles)
 
 
 def subtitle_of(summary):
@@ -201,8 +211,9 @@ def draw_centre_line(folder, summary):
     below.set_xlabel("angle on the circumference from the lowest point, positive ahead [deg]")
     handles = above.get_legend_handles_labels()[0]
     if rigid is not None:
-        handles.append(Line2D([], [], color="#222222", label="rigid wheel,\nWong and Reece", **RIGID))
-    above.legend(handles=handles, loc="best")
+        handles.append(Line2D([], [], color="#222222", label=RIGID_NAME, **RIGID))
+    if handles:
+        legend_above(above, handles)
     figure.suptitle(f"{title_of(summary)}: stress along the centre line", fontsize=13, x=0.012,
                     ha="left")
     save(figure, folder, "centre_line.png")
@@ -223,7 +234,7 @@ def draw_history(folder, summary):
         forces.plot(time, run[key] / 1000, color=colour, label=key, linewidth=1.4)
     forces.set(title="Forces", ylabel="[kN]", xlabel="time since the torque set in [s]")
     for axes in (speeds, forces):
-        axes.legend(loc="best")
+        legend_above(axes)
     speeds.margins(x=0.01)
     ground = f", bumps {summary['bumps']}" if summary["bumps"] else ""
     figure.suptitle(f"{title_of(summary)}, {summary['torque']:g} N m{ground}", fontsize=13, x=0.012,
