@@ -9,6 +9,7 @@ void AddRunCommand(CLI::App& program);
 void AddDrawbarCommand(CLI::App& program);
 void AddWongReeceCommand(CLI::App& program);
 void AddListCommand(CLI::App& program);
+void AddSoilCommand(CLI::App& program);
 void AddWithCommand(CLI::App& program);
 
 }  // namespace softsoil

@@ -1,4 +1,5 @@
-// The program softsoil: runs scenes, lists what is shipped, starts other programs with soil.
+// The program softsoil: runs scenes, lists what is shipped, identifies soils, starts other programs
+// with soil.
 #include <cstdio>
 #include <exception>
 #include <string>
@@ -23,6 +24,7 @@ int ParseAndRun(int argc, char** argv) {
   AddDrawbarCommand(program);
   AddWongReeceCommand(program);
   AddListCommand(program);
+  AddSoilCommand(program);
   AddWithCommand(program);
   try {
     program.parse(argc, argv);

@@ -57,12 +57,19 @@ std::string PythonThatPlots() {
 void DrawPictures(const std::string& python, const std::string& folder,
                   const std::vector<std::string>& names) {
   for (const std::string& name : names) {
-    const std::string script = ShareFolder() + "/plot/" + name + ".py";
-    const int status = Execute({python, script, folder}, Messages::kShown);
-    if (status == 0) continue;
-    throw std::runtime_error(folder + "/" + name + ".png: " + script + " failed with exit status " +
-                             std::to_string(status));
+    Draw(python, name + ".py", {folder}, folder + "/" + name + ".png");
   }
+}
+
+void Draw(const std::string& python, const std::string& script,
+          const std::vector<std::string>& arguments, const std::string& picture) {
+  const std::string path = ShareFolder() + "/plot/" + script;
+  std::vector<std::string> words = {python, path};
+  words.insert(words.end(), arguments.begin(), arguments.end());
+  const int status = Execute(words, Messages::kShown);
+  if (status == 0) return;
+  throw std::runtime_error(picture + ": " + path + " failed with exit status " +
+                           std::to_string(status));
 }
 
 }  // namespace softsoil

@@ -15,4 +15,9 @@ std::string PythonThatPlots();
 void DrawPictures(const std::string& python, const std::string& folder,
                   const std::vector<std::string>& names);
 
+// Runs share/softsoil/plot/<script> with these arguments, to draw `picture`. Throws
+// std::runtime_error.
+void Draw(const std::string& python, const std::string& script,
+          const std::vector<std::string>& arguments, const std::string& picture);
+
 }  // namespace softsoil

@@ -66,28 +66,32 @@ std::vector<double> Slips(const Line& line) {
     if (!Contains(kSlip, slip)) {
       throw InputError("--slip must be " + InWords(kSlip) + ", got " + Shown(slip));
     }
+    if (line.definition == kWongReece && slip == 1) {
+      throw InputError("--slip must be < 1 where the wheel is not to spin on the spot, got 1");
+    }
     if (line.definition == kSae) slip = SlipFromSae(slip);
   }
   return slips;
 }
 
 // A towed wheel needs none.
-MaxStressPlace MaxStressOf(const Line& line) {
+MaxStress MaxStressOn(const Soil& soil, const Line& line) {
   if (line.c_1) return {*line.c_1, *line.c_2};
+  if (soil.max_stress) return *soil.max_stress;
   if (line.slip.empty()) return {};
-  throw InputError("soil \"" + line.soil +
-                   "\" does not say where it presses most on a driven wheel; give --c1 and --c2");
+  throw InputError("soil \"" + soil.name + "\" has no <max_stress c_1=... c_2=...>, where it " +
+                   "presses most on a driven wheel; give --c1 and --c2");
 }
 
-SoilUnderRim UnderRim(const Soil& soil, double width, const MaxStressPlace& place) {
-  return {BearingModulus(soil.bearing, width), soil.bearing.n, soil.shear, place};
+SoilUnderRim UnderRim(const Soil& soil, double width, const MaxStress& max_stress) {
+  return {BearingModulus(soil.bearing, width), soil.bearing.n, soil.shear, max_stress};
 }
 
 WongReeceResults Solve(const Line& line) {
   const Tire tire = Find(TireCatalogue(), "tires", line.tire_files, line.tire);
   const Soil soil = Find(SoilCatalogue(), "soils", line.soil_files, line.soil);
   const RigidWheel wheel = {tire.shape.radius, line.width.value_or(tire.shape.width)};
-  const SoilUnderRim under_rim = UnderRim(soil, wheel.width, MaxStressOf(line));
+  const SoilUnderRim under_rim = UnderRim(soil, wheel.width, MaxStressOn(soil, line));
   WongReeceResults results = {tire.name, soil.name, wheel, under_rim, line.load, {}};
   if (line.towed) {
     results.rolling.push_back(At("towed", [&] { return TowedWheel(wheel, under_rim, line.load); }));

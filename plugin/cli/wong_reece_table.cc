@@ -102,11 +102,11 @@ void PrintWongReece(const WongReeceResults& results) {
   std::printf("%s as a rigid wheel (radius %.4g m, width %.4g m) on %s, load %.6g N\n",
               results.tire.c_str(), results.wheel.radius, results.wheel.width, results.soil.c_str(),
               results.load);
-  std::printf("%-6s %14s %9s %10s %21s %16s %12s %12s %15s %17s\n", "mode", "slip ratio [%]",
+  std::printf("%-6s %14s %9s %10s %21s %16s %12s %12s %17s %19s\n", "mode", "slip ratio [%]",
               "i [%]", "thrust [N]", "motion resistance [N]", "drawbar pull [N]", "torque [N m]",
-              "sinkage [cm]", "entry angle [°]", "max stress at [°]");
+              "sinkage [cm]", "entry angle [deg]", "max stress at [deg]");
   for (const WongReece& w : results.rolling) {
-    std::printf("%-6s %14.1f %9.1f %10.1f %21.1f %16.1f %12.1f %12.1f %14.1f %16.1f\n", Mode(w),
+    std::printf("%-6s %14.1f %9.1f %10.1f %21.1f %16.1f %12.1f %12.1f %17.1f %19.1f\n", Mode(w),
                 Rounded(100 * SaeFromSlip(w.slip)), Rounded(100 * w.slip), Rounded(w.thrust),
                 Rounded(w.motion_resistance), Rounded(w.drawbar_pull), Rounded(w.torque),
                 Rounded(100 * w.sinkage), Rounded(w.entry_angle * kDegrees),
