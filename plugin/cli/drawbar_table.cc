@@ -88,6 +88,8 @@ void WriteDrawbarSummary(const DrawbarOptions& options, double radius, const Fre
   json["load"] = options.load;
   json["mode"] = NameOf(options.mode);
   json["radius"] = radius;
+  json["slip_definition"] =
+      "(r w - v)/v with the unloaded radius; rolling_slip: the rolling radius";
   if (options.mode == BinMode::kTorque) {
     json["torque"] = options.torque;
     json["time"] = options.time;

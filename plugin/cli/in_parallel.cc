@@ -13,7 +13,9 @@ void InParallel(int count, int threads, const std::function<void(int)>& work) {
   std::atomic<int> next{0};
   std::atomic<bool> failed{false};
   const auto serve = [&] {
-    for (int i = next++; i < count && !failed; i = next++) {
+    while (!failed) {
+      const int i = next++;  // is worked on in any case, or the first failure were left to chance
+      if (i >= count) return;
       try {
         work(i);
       } catch (...) {
