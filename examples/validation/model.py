@@ -62,10 +62,10 @@ def drawbar_rows(folder, row, slips):
 
 def contact_width(folder, row):
     """Width [m] of the contact of a tire that stands on the soil under 27 kN."""
-    bin = drawbar(folder, row, 27, [0.1])
-    program("softsoil", "run", bin / "soil_bin.xml", "--time", 2, "--out", bin / "standing",
-            "--no-picture", "--set", f"grid_spacing={GRID}")
-    lateral = [float(r["lateral"]) for r in read_csv(bin / "standing" / "contact.csv")]
+    rig = drawbar(folder, row, 27, [0.1])
+    program("softsoil", "run", rig / "soil_bin.xml", "--time", 1, "--out", rig / "standing",
+            "--no-picture")
+    lateral = [float(r["lateral"]) for r in read_csv(rig / "standing" / "contact.csv")]
     return max(lateral) - min(lateral) + GRID
 
 

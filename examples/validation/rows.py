@@ -54,6 +54,9 @@ COLUMNS = {"drawbar pull": ("drawbar_pull", 1e-3), "rut volume": ("compaction_vo
            "max rut depth": ("rut_depth", 1e3)}
 
 
+LOW_SLIP = 20  # [%]  below it the definition of slip matters
+
+
 def undeflected(slip, rolling):
     """Slip against the unloaded radius of a slip against the rolling radius."""
     return (1 + slip) * (1 + rolling["slip"]) - 1
@@ -63,28 +66,31 @@ def experiment_rows(printed, folder):
     """Wulfsohn and Upadhyaya's tests: the slips of one tire, soil and load in one run.
 
     Their slip may be against the unloaded or the rolling radius: the text does not say. The table
-    takes the former, as equation 4.8; the note tells what the latter gives.
+    takes the former, as equation 4.8; at low slip the note tells what the latter gives.
     """
     groups = collections.defaultdict(list)
     for p in printed:
         if p.kind == "experiment" and p.quantity in COLUMNS:
             groups[(p.tire, p.soil, p.load, p.pressure)].append(p)
-    rows = []
-    for group in groups.values():
-        slips = sorted({p.slip / 100 for p in group})
-        ours, rolling = model.drawbar_rows(folder, group[0], slips)
-        again, _ = model.drawbar_rows(folder, group[0],
-                                      [undeflected(s, rolling) for s in slips])
-        for p in group:
-            column, factor = COLUMNS[p.quantity]
-            place = slips.index(p.slip / 100)
-            thesis, at_slip = thesis_model(p, printed)
-            note = f"at this slip of the rolling radius {factor * again[place][column]:.3g}"
-            if at_slip is not None and at_slip != p.slip:
-                note += f"; thesis at {at_slip:g} %"
-            rows.append(start(p, measured=p.number, thesis=thesis,
-                              ours=factor * ours[place][column], note=note))
-    return sorted(rows, key=lambda row: row.id)
+    return sorted((row for group in groups.values() for row in rows_of_one_tire(group, printed, folder)),
+                  key=lambda row: row.id)
+
+
+def rows_of_one_tire(group, printed, folder):
+    slips = sorted({p.slip / 100 for p in group})
+    ours, rolling = model.drawbar_rows(folder, group[0], slips)
+    ours = dict(zip(slips, ours))
+    for p in group:
+        column, factor = COLUMNS[p.quantity]
+        thesis, at_slip = thesis_model(p, printed)
+        row = start(p, measured=p.number, thesis=thesis, ours=factor * ours[p.slip / 100][column])
+        if at_slip is not None and at_slip != p.slip:
+            row.note = f"thesis at {at_slip:g} %"
+        if p.quantity == "drawbar pull" and p.slip < LOW_SLIP:
+            slip = undeflected(p.slip / 100, rolling)
+            [again], _ = model.drawbar_rows(folder, p, [slip])
+            row.note = f"ours at this slip of the rolling radius {factor * again[column]:.3g}; " + row.note
+        yield row
 
 
 def width_rows(printed, folder):
