@@ -136,7 +136,7 @@ void Store(const ScaledFit& scaled, BearingFit* result) {
 
 void RequirePositive(const char* name, double value) {
   if (value > 0) return;
-  throw InputError(std::string("the readings ask for ") + name + " = " + Shown(value) +
+  throw InputError(std::string("the readings ask for ") + name + " = " + Rounded(value, 6) +
                    ", which must be > 0");
 }
 

@@ -166,7 +166,7 @@ ShearFit FitShear(const ShearTest& test) {
   if (result.bound != StrengthBound::kNone) fit = Search(model, start, result.bound);
   Store(fit, model, &result);
   if (result.modulus.value <= 0) {
-    throw InputError("the readings ask for K = " + Shown(result.modulus.value) +
+    throw InputError("the readings ask for K = " + Rounded(result.modulus.value, 6) +
                      " m, which must be > 0: the shear stress must rise with the displacement");
   }
   JudgeCurves(test, &result);

@@ -19,7 +19,7 @@ COLOURS = ["#7b3022", "#c8782a", "#3f7f8c", "#6a5a9e", "#4e8a3a", "#b03a6a"]
 MARKERS = ["o", "s", "^", "D", "v", "P"]
 LINE = {"linewidth": 1.8, "zorder": 2}
 POINT = {"linestyle": "none", "markersize": 5, "markerfacecolor": "white", "markeredgewidth": 1.3,
-         "zorder": 3}
+         "zorder": 3, "clip_on": False}
 
 
 def groups_of(column):
@@ -90,7 +90,8 @@ def draw_plates(axes, plate, findings):
         ends.append((100 * z[-1], plate_pressure(plate, width, z[-1]) / 1e3,
                      f"{100 * width:.3g} cm", colour))
     axes.set(xlabel="sinkage [cm]", ylabel="pressure below the plate [kPa]")
-    finish(axes, "Plate sinkage", plate_title(plate, findings), "upper left")
+    free = "upper left" if plate["n"] > 0.9 else "lower right"  # above or below the curves
+    finish(axes, "Plate sinkage", plate_title(plate, findings), free)
     label_ends(axes, ends, "plate width")
 
 
