@@ -37,7 +37,8 @@ bool AreGiven(const std::vector<std::pair<const char*, std::optional<double>>>& 
 void AddComposition(const SoilOptions& options, SoilEvidence* evidence) {
   const bool shares =
       AreGiven({{"--clay", options.clay}, {"--silt", options.silt}, {"--sand", options.sand}});
-  if (options.uscs && shares) throw InputError("--uscs and --clay, --silt, --sand exclude one another");
+  if (options.uscs && shares)
+    throw InputError("--uscs and --clay, --silt, --sand exclude one another");
   if (options.uscs) {
     evidence->uscs = &FindUscsSoil(*options.uscs);
     evidence->composition = evidence->uscs->composition;
@@ -76,6 +77,10 @@ SoilTests AddTests(const SoilOptions& options, SoilEvidence* evidence) {
     const BearingForm form = options.reece ? BearingForm::kReece : BearingForm::kBekker;
     const BearingFit fit = At(*options.plate, [&] { return FitBearing(*tests.plate, form); });
     evidence->bearing = Summarised(*options.plate, fit, "width", fit.widths, "m");
+    if (options.frictional && fit.basis != CohesiveModulus::kUnknown) {
+      throw InputError("--frictional is for plates of one width, got " +
+                       std::to_string(fit.widths.size()) + " widths, which tell k_c");
+    }
     evidence->is_frictional = options.frictional;
   } else if (options.reece || options.frictional) {
     throw InputError(std::string(options.reece ? "--reece" : "--frictional") +

@@ -200,6 +200,7 @@ class Refusals(InAFolder):
         refused(*like, "--name", "x", "--out", self.folder / "x", sentence="--out must end in .xml")
         refused(*like, "--picture", self.folder / "x.png", sentence="--picture needs --plate")
         refused(*like, "--reece", sentence="give --plate too")
+        refused("--plate", PLATE, "--frictional", sentence="for plates of one width, got 3 widths")
         refused(*like, "--clay", "much", sentence="much")
 
 

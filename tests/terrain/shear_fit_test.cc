@@ -134,6 +134,16 @@ TEST(FitShear, NeedsASecondNormalStress) {
                                         "and friction angle; test a second one"));
 }
 
+TEST(FitShear, RefusesReadingsThatNeverLevelOff) {
+  ShearTest test = ThreeStresses();
+  for (std::size_t i = 0; i < test.displacement.size(); ++i) {
+    test.shear_stress[i] = test.normal_stress[i] * std::pow(test.displacement[i] / 0.06, 1.5);
+  }
+  EXPECT_THAT(
+      [&] { FitShear(test); },
+      ThrowsMessage<InputError>(HasSubstr("at most 5 times the longest displacement, 0.06 m")));
+}
+
 constexpr char kHeader[] = "normal_stress [kPa], displacement [mm], shear_stress [kPa]\n";
 
 std::string Refusal(const std::string& rows) {

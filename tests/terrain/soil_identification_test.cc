@@ -49,10 +49,10 @@ Tested<BearingFit> SomePlateTest(CohesiveModulus basis) {
   return {fit, "plate.csv", "plate.csv: a test"};
 }
 
-const Finding* Find(const IdentifiedSoil& soil, const std::string& parameter) {
+std::optional<Finding> Find(const IdentifiedSoil& soil, const std::string& parameter) {
   const auto found = std::find_if(soil.findings.begin(), soil.findings.end(),
                                   [&](const Finding& f) { return f.parameter == parameter; });
-  return found == soil.findings.end() ? nullptr : &*found;
+  return found == soil.findings.end() ? std::nullopt : std::optional<Finding>(*found);
 }
 
 TEST(Identify, OfAClassGivesTheShearAndTheVirginCurveOfTheThesis) {
@@ -172,6 +172,15 @@ TEST(Identify, TellsOfABoundThatDecidedInPlaceOfTheData) {
   const IdentifiedSoil found = Identify(evidence);
   EXPECT_THAT(Find(found, "bearing k_c")->warning, HasSubstr("the readings ask for -3200"));
   EXPECT_THAT(Find(found, "shear cohesion")->warning, HasSubstr("the readings ask for -500"));
+}
+
+TEST(Identify, WarnsOfAParameterThatTheReadingsHardlyDetermine) {
+  SoilEvidence evidence = ClassAndLike("CL");
+  evidence.shear = SomeShearTest();
+  EXPECT_EQ(Find(Identify(evidence), "shear cohesion")->warning, "");
+  evidence.shear->fit.cohesion.confidence = 8000;
+  EXPECT_EQ(Find(Identify(evidence), "shear cohesion")->warning,
+            "the readings hardly determine it");
 }
 
 }  // namespace
