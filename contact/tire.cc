@@ -2,6 +2,7 @@
 
 #include <limits>
 
+#include "contact/tire_family.h"
 #include "contact/tire_nodes.h"
 
 namespace softsoil {
@@ -30,24 +31,25 @@ const std::vector<Attribute<Tire>>& TireAttributes() {
   return table;
 }
 
-namespace {
-
 // A tire so wide or so strongly curved has no sensible cloud of nodes.
-void CheckShape(const TireShape& shape, const XmlEntry& entry) {
+std::string ShapeFault(const TireShape& shape) {
   if (shape.width > kWidestPerRadius * shape.radius) {
-    entry.Refuse("width must be <= 10 radius = " + Shown(kWidestPerRadius * shape.radius) +
-                 " m, got " + Shown(shape.width));
+    return "width must be <= 10 radius = " + Shown(kWidestPerRadius * shape.radius) + " m, got " +
+           Shown(shape.width);
   }
   if (shape.crown_radius < shape.width / 2) {
-    entry.Refuse("crown_radius must be >= width / 2 = " + Shown(shape.width / 2) + " m, got " +
-                 Shown(shape.crown_radius));
+    return "crown_radius must be >= width / 2 = " + Shown(shape.width / 2) + " m, got " +
+           Shown(shape.crown_radius);
   }
   if (RadiusAt(shape, shape.width / 2) <= 0) {
-    entry.Refuse("radius must be > 0 m at the edge of the tread, got " +
-                 Shown(RadiusAt(shape, shape.width / 2)) + " from crown_radius " +
-                 Shown(shape.crown_radius) + " and width " + Shown(shape.width));
+    return "radius must be > 0 m at the edge of the tread, got " +
+           Shown(RadiusAt(shape, shape.width / 2)) + " from crown_radius " +
+           Shown(shape.crown_radius) + " and width " + Shown(shape.width);
   }
+  return "";
 }
+
+namespace {
 
 Tire ReadTire(XmlEntry& entry) {
   Tire tire{};
@@ -58,15 +60,20 @@ Tire ReadTire(XmlEntry& entry) {
   if (entry.Text("shape", "type", {"torus", "cylinder"}) == "torus") {
     tire.shape.crown_radius = entry.Number("shape", "crown_radius", "m", Range::kTireSize);
   }
-  CheckShape(tire.shape, entry);
+  const std::string fault = ShapeFault(tire.shape);
+  if (!fault.empty()) entry.Refuse(fault);
   if (SpringPressure(tire.spring, 1) <= 0) {
     entry.Refuse("the spring must have one of linear, quadratic, cubic, root > 0");
+  }
+  if (entry.Has("inflation")) {
+    tire.family = entry.Text("inflation", "family");
+    tire.inflation_pressure = entry.Number("inflation", "pressure", "Pa", Range::kPositive);
   }
   return tire;
 }
 
 }  // namespace
 
-Catalogue<Tire> TireCatalogue() { return {"tire", ReadTire}; }
+Catalogue<Tire> TireCatalogue() { return {"tire", ReadTire, RequireAgreement}; }
 
 }  // namespace softsoil

@@ -25,12 +25,18 @@ struct Tire {
   TireSpring spring;
   double damping;        // [Pa s/m]  pressure per speed at which the wheel nears the ground, >= 0
   double soil_friction;  // [-]  mu_s between tire and soil, > 0
+  std::string family;    // one tire at several inflation pressures; empty: not known
+  double inflation_pressure = 0;  // [Pa]  above the atmosphere's; > 0 in a family
 };
+
+// What is wrong with a shape, as a rule and the value; empty if nothing is.
+std::string ShapeFault(const TireShape& shape);
 
 // An empty catalogue for files such as models/tires/agricultural.xml.
 Catalogue<Tire> TireCatalogue();
 
-// The numbers of a tire file that every tire has. <shape type="torus"> has a crown_radius besides.
+// The numbers of a tire file that every tire has. <shape type="torus"> has a crown_radius besides;
+// <inflation family="..." pressure="..."/> [Pa] may stand in any.
 const std::vector<Attribute<Tire>>& TireAttributes();
 
 }  // namespace softsoil

@@ -6,6 +6,7 @@
 #include <set>
 
 #include "contact/flat_plate.h"
+#include "contact/tire_family.h"
 #include "plugin/log.h"
 #include "plugin/models_folder.h"
 #include "terrain/input_error.h"
@@ -123,7 +124,7 @@ std::vector<Tire> ChooseTires(const mjModel* m, const std::vector<Wheel>& wheels
     if (name == kAutoTire) {
       tires.push_back(MakeAutoTire(m, wheels, wheel));
     } else {
-      tires.push_back(At("softsoil_tire", [&] { return catalogue.Find(name); }));
+      tires.push_back(At("softsoil_tire", [&] { return FindTire(catalogue, name); }));
       WarnOfRadius(wheel, tires.back());
     }
   }

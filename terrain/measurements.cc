@@ -29,14 +29,6 @@ constexpr Unit kUnits[] = {
     {"psi", Quantity::kPressure, 6894.757293168},
 };
 
-std::string UnitsOf(Quantity quantity) {
-  std::vector<std::string> names;
-  for (const Unit& unit : kUnits) {
-    if (unit.quantity == quantity) names.push_back(unit.name);
-  }
-  return Listed(names);
-}
-
 std::string SiUnitOf(Quantity quantity) {
   const auto* unit = std::find_if(std::begin(kUnits), std::end(kUnits), [&](const Unit& u) {
     return u.quantity == quantity && u.to_si == 1;
@@ -53,9 +45,8 @@ std::pair<std::string, std::string> NameAndUnit(const std::string& cell) {
 }
 
 double FactorOf(const CsvLines& lines, const MeasuredColumn& column, const std::string& name) {
-  for (const Unit& unit : kUnits) {
-    if (unit.quantity == column.quantity && unit.name == name) return unit.to_si;
-  }
+  const double to_si = ToSi(column.quantity, name);
+  if (to_si > 0) return to_si;
   lines.Refuse("column " + column.name + " must state its unit as " + column.name +
                " [unit], one of " + UnitsOf(column.quantity) + ", got \"" + name + "\"");
 }
@@ -89,12 +80,28 @@ std::vector<Place> ReadHeader(CsvLines& lines, const std::vector<MeasuredColumn>
     places.push_back({c, FactorOf(lines, columns[c], unit)});
   }
   for (std::size_t c = 0; c < columns.size(); ++c) {
-    if (!found[c]) lines.Refuse("column " + columns[c].name + " is missing");
+    if (!found[c] && !columns[c].optional)
+      lines.Refuse("column " + columns[c].name + " is missing");
   }
   return places;
 }
 
 }  // namespace
+
+double ToSi(Quantity quantity, const std::string& unit) {
+  for (const Unit& known : kUnits) {
+    if (known.quantity == quantity && known.name == unit) return known.to_si;
+  }
+  return 0;
+}
+
+std::string UnitsOf(Quantity quantity) {
+  std::vector<std::string> names;
+  for (const Unit& unit : kUnits) {
+    if (unit.quantity == quantity) names.push_back(unit.name);
+  }
+  return Listed(names);
+}
 
 Measurements::Measurements(const std::string& file, const std::vector<MeasuredColumn>& columns,
                            std::size_t least_rows)
@@ -133,7 +140,7 @@ void Measurements::Refuse(std::size_t row, const std::string& rule) const {
 void Measurements::Require(const std::string& name, const char* rule, bool (*holds)(double)) const {
   const std::size_t c = IndexOf(name);
   const std::string unit = " " + SiUnitOf(columns_[c].quantity);
-  for (std::size_t row = 0; row < rows(); ++row) {
+  for (std::size_t row = 0; row < values_[c].size(); ++row) {
     if (holds(values_[c][row])) continue;
     Refuse(row, name + " must be " + rule + unit + ", got " + Shown(values_[c][row]) + unit);
   }

@@ -9,9 +9,15 @@ namespace softsoil {
 
 enum class Quantity { kLength, kForce, kPressure };
 
+// Factor from a unit such as "kPa" to the one of SI; 0 if it is none of the quantity's.
+double ToSi(Quantity quantity, const std::string& unit);
+// "Pa, kPa, bar, psi"
+std::string UnitsOf(Quantity quantity);
+
 struct MeasuredColumn {
   std::string name;
   Quantity quantity;
+  bool optional = false;  // the file may lack it
 };
 
 class Measurements {
@@ -24,7 +30,9 @@ class Measurements {
                std::size_t least_rows);
 
   std::size_t rows() const { return lines_.size(); }
-  // A column [m], [N] or [Pa] by row.
+  // Whether the file has an optional column.
+  bool Has(const std::string& name) const { return !Column(name).empty(); }
+  // A column [m], [N] or [Pa] by row; empty if the file lacks it.
   const std::vector<double>& Column(const std::string& name) const;
 
   // Throws InputError with file and line of a row.

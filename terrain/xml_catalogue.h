@@ -73,13 +73,18 @@ template <class Entry>
 class Catalogue {
  public:
   using Reader = Entry (*)(XmlEntry&);
-  Catalogue(std::string kind, Reader reader) : kind_(std::move(kind)), reader_(reader) {}
+  // Throws, by XmlEntry::Refuse, if a new entry does not agree with those that there are.
+  using Check = void (*)(const std::vector<Entry>& others, const Entry& fresh, const XmlEntry& xml);
+  Catalogue(std::string kind, Reader reader, Check check = nullptr)
+      : kind_(std::move(kind)), reader_(reader), check_(check) {}
 
   // Adds all entries of a file. Throws InputError, also if a name is taken already.
   void AddFile(const std::string& file) {
     ForEachEntry(file, kind_, [this](XmlEntry& xml) {
       if (Lookup(xml.name()) != nullptr) xml.Refuse("this name is taken already");
-      entries_.push_back(reader_(xml));
+      Entry fresh = reader_(xml);
+      if (check_ != nullptr) check_(entries_, fresh, xml);
+      entries_.push_back(std::move(fresh));
     });
   }
   // Adds all *.xml files of a folder.
@@ -106,6 +111,7 @@ class Catalogue {
 
   std::string kind_;
   Reader reader_;
+  Check check_;
   std::vector<Entry> entries_;
 };
 

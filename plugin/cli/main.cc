@@ -21,6 +21,8 @@ int ParseAndRun(int argc, char** argv) {
   program.require_subcommand(1);
   program.failure_message(BadUsage);
   AddRunCommand(program);
+  AddDrawbarCommand(program);
+  AddWongReeceCommand(program);
   AddListCommand(program);
   AddSoilCommand(program);
   AddWithCommand(program);

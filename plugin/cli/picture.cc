@@ -8,7 +8,6 @@
 #include <cerrno>
 #include <cstring>
 #include <stdexcept>
-#include <vector>
 
 #include "plugin/cli/paths.h"
 #include "terrain/input_error.h"
@@ -55,8 +54,9 @@ std::string PythonThatPlots() {
       "python3-matplotlib), and none was found; --no-picture runs without");
 }
 
-void DrawPictures(const std::string& python, const std::string& folder) {
-  for (const std::string name : {"terrain", "contact"}) {
+void DrawPictures(const std::string& python, const std::string& folder,
+                  const std::vector<std::string>& names) {
+  for (const std::string& name : names) {
     Draw(python, name + ".py", {folder}, folder + "/" + name + ".png");
   }
 }

@@ -10,9 +10,10 @@ namespace softsoil {
 // system, or the first in PATH. Throws InputError if none has.
 std::string PythonThatPlots();
 
-// Draws <folder>/terrain.png and contact.png from the other files of the run. Throws
-// std::runtime_error.
-void DrawPictures(const std::string& python, const std::string& folder);
+// Draws <folder>/<name>.png by plot/<name>.py from the other files in the folder, for each name.
+// Throws std::runtime_error.
+void DrawPictures(const std::string& python, const std::string& folder,
+                  const std::vector<std::string>& names);
 
 // Runs share/softsoil/plot/<script> with these arguments, to draw `picture`. Throws
 // std::runtime_error.

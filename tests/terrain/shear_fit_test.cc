@@ -134,11 +134,8 @@ TEST(FitShear, NeedsASecondNormalStress) {
                                         "and friction angle; test a second one"));
 }
 
-TEST(FitShear, RefusesReadingsThatNeverLevelOff) {
-  ShearTest test = ThreeStresses();
-  for (std::size_t i = 0; i < test.displacement.size(); ++i) {
-    test.shear_stress[i] = test.normal_stress[i] * std::pow(test.displacement[i] / 0.06, 1.5);
-  }
+TEST(FitShear, RefusesReadingsThatDoNotBeginToLevelOff) {
+  const ShearTest test = Sheared({10e3, 30e3, 60e3}, kC, kPhi, 0.5);
   EXPECT_THAT(
       [&] { FitShear(test); },
       ThrowsMessage<InputError>(HasSubstr("at most 5 times the longest displacement, 0.06 m")));

@@ -1,0 +1,74 @@
+// From measurements on a flat plate to the parameters of a tire: the crown radius from contact
+// widths, the spring from loads. Section 4.2.
+#pragma once
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include "contact/tire.h"
+
+namespace softsoil {
+
+// A form of spring: which terms it may have. Tables 6.1 to 6.3.
+struct SpringForm {
+  const char* name;
+  const char* law;
+  std::vector<double TireSpring::*> terms;
+};
+const std::array<SpringForm, 5>& SpringForms();
+
+// Of one inflation pressure.
+struct LoadDeflection {
+  std::vector<double> deflection;  // [m]  z, > 0 and < r
+  std::vector<double> load;        // [N]  >= 0
+};
+
+struct SpringFit {
+  const SpringForm* form;
+  TireSpring spring;      // terms that the data would have negative are zero
+  TireSpring confidence;  // half width of the 95 % interval of each term; 0 of those left out
+  double rms;             // [N]  root of the mean squared error of the load
+  double worst;           // [N]  greatest error
+  double r_squared;       // [-]  share of the loads' variance that the fit explains
+  int terms;              // that are not zero
+};
+
+// The spring of a form with the least squared error of the loads of FlatPlateLoad (4.19), among
+// those without negative terms: of every choice of the form's terms the unconstrained least squares
+// fit is made, and of those that come out positive the best is taken. That is the constrained
+// minimum, for there the terms that are not zero are unconstrained. Throws InputError if there are
+// fewer rows than terms, or if the rows do not determine a spring.
+SpringFit FitSpring(const SpringForm& form, const TireShape& shape, const LoadDeflection& test);
+
+// All five, in the order of SpringForms().
+std::vector<SpringFit> FitSprings(const TireShape& shape, const LoadDeflection& test);
+
+// The fit of the smallest rms; of fits that differ from it by less than 5 %, as much as a term
+// without meaning gains over ten rows, or by less than 1e-6 of the largest load, the one with the
+// fewest terms.
+const SpringFit& BestFit(const std::vector<SpringFit>& fits, const LoadDeflection& test);
+
+struct CrownFit {
+  double crown_radius;  // [m]  r_beta
+  double confidence;    // [m]  half width of the 95 % interval
+  double rms;           // [m]  root of the mean squared error of the width
+};
+// The crown radius with the least squared error of the contact width [m] over the deflection [m]:
+// equations 4.20 to 4.22, where 4.20 takes for the width what is half of it, y_max.
+CrownFit FitCrownRadius(const std::vector<double>& deflection, const std::vector<double>& width);
+
+// How a tire that is pressed onto a plate by `load` [N] swings.
+struct PlateStiffness {
+  double deflection;  // [m]
+  double stiffness;   // [N/m]  radial
+  double area;        // [m^2]  of contact
+};
+// Throws InputError if the tire does not carry the load at 0.9 of its radius.
+PlateStiffness StiffnessUnder(double load, const TireShape& shape, const TireSpring& spring);
+
+// Damping [Pa s/m] that gives the tire with the mass load / g on it the share `ratio` of critical
+// damping: 2 ratio sqrt(k m) / A.
+double EstimatedDamping(double ratio, double load, const PlateStiffness& stiffness);
+
+}  // namespace softsoil
