@@ -42,17 +42,32 @@ def with_interval(findings, parameter, factor, unit):
     return text + (" " + unit if unit else "")
 
 
+def spread(heights, gap):
+    """Rising heights moved as little as needed to lie at least a gap apart."""
+    heights = np.array(heights, dtype=float)
+    for _ in range(200):
+        for lower in range(len(heights) - 1):
+            lacking = gap - (heights[lower + 1] - heights[lower])
+            if lacking > 0:
+                heights[lower] -= lacking / 2
+                heights[lower + 1] += lacking / 2
+    return heights
+
+
 def label_ends(axes, ends, title):
     """Writes beside the end of each curve what it is; ends are (x, y, text, colour)."""
-    gap = 0.055 * axes.get_ylim()[1]
-    lowest = 0
-    for x, y, text, colour in sorted(ends, key=lambda end: end[1]):
-        lowest = max(y, lowest + gap)
-        axes.annotate(text, (x, lowest), xytext=(9, 0), textcoords="offset points", va="center",
-                      color=colour, fontsize=10)
-    axes.annotate(title, (max(x for x, *_ in ends), lowest + 1.4 * gap), xytext=(9, 0),
-                  textcoords="offset points", va="center", color="#444444", fontsize=9)
-    axes.set_xlim(right=1.2 * max(x for x, *_ in ends))
+    ends = sorted(ends, key=lambda end: end[1])
+    top = axes.get_ylim()[1]
+    gap = 0.055 * top
+    heights = spread([y for _, y, _, _ in ends], gap)
+    right = max(x for x, *_ in ends)
+    style = {"xytext": (9, 0), "textcoords": "offset points", "va": "center",
+             "annotation_clip": False}
+    for height, (x, _, text, colour) in zip(heights, ends):
+        axes.annotate(text, (x, height), color=colour, fontsize=10, **style)
+    axes.annotate(title, (right, heights[-1] + 1.3 * gap), color="#444444", fontsize=9, **style)
+    axes.set_ylim(top=max(top, heights[-1] + 2 * gap))
+    axes.set_xlim(right=1.25 * right)
 
 
 def plate_pressure(plate, width, sinkage):
