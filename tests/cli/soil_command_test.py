@@ -163,8 +163,8 @@ class Refusals(InAFolder):
         refused(good + "50,40,-60\n", "5: pressure must be >= 0 Pa, got -60000 Pa")
         refused(good + "50,40,40\n", "5: pressure must not fall while the plate of width 0.05 m "
                 "sinks, got 40000 Pa after 60000 Pa")
-        refused(good + "50,25,70\n", "5: sinkage of the plate of width 0.05 m must rise from row to "
-                "row, got 0.025 m after 0.03 m")
+        refused(good + "50,25,70\n", "5: sinkage of the plate of width 0.05 m must rise from row "
+                "to row, got 0.025 m after 0.03 m")
 
     def test_shear_files(self):
         def refused(rows, sentence):
@@ -172,16 +172,16 @@ class Refusals(InAFolder):
             self.assertRefused(["--like", "lete_sand", "--shear", path], f"{path}:{sentence}")
 
         good = "10,5,4\n10,10,6\n10,20,7\n"
-        refused(good, " one normal stress, 10000 Pa, does not determine cohesion and friction angle; "
-                "test a second one")
+        refused(good, " one normal stress, 10000 Pa, does not determine cohesion and friction "
+                "angle; test a second one")
         refused(good + "20,5,-4\n", "5: shear_stress must be >= 0 Pa, got -4000 Pa")
-        refused(good + "20,5,4\n", "5: the test at normal stress 20000 Pa must have at least 3 rows, "
-                "got 1")
+        refused(good + "20,5,4\n", "5: the test at normal stress 20000 Pa must have at least 3 "
+                "rows, got 1")
 
     def test_entries_that_are_incomplete(self):
-        self.assertRefused(["--uscs", "CL"], "the entry is incomplete: <bearing> needs --plate FILE "
-                           "or --like SOIL; <compaction> needs --like SOIL, for its times; <stress> "
-                           "needs --like SOIL")
+        self.assertRefused(["--uscs", "CL"], "the entry is incomplete: <bearing> needs --plate "
+                           "FILE or --like SOIL; <compaction> needs --like SOIL, for its times; "
+                           "<stress> needs --like SOIL")
         one = self.write("one.csv", PLATE_HEADER + "100,10,20\n100,20,42\n100,30,60\n")
         self.assertRefused(["--plate", one, "--like", "lete_sand"], "the entry is incomplete: "
                            "<bearing> needs a second plate width, or --frictional to take k_c = 0")
