@@ -19,7 +19,7 @@ struct PlateSinkage {
 // Reads the columns width, sinkage and pressure of a CSV file with units. Throws InputError with
 // line and rule: negative values; fewer than three rows with sinkage for a width; for each width,
 // in the order of the rows, a sinkage that does not rise, or a pressure that falls by more than
-// 5 % of the largest of that plate (noise may let it fall a little); a pressure without sinkage.
+// 10 % of the largest of that plate (noise may let it fall a little); a pressure without sinkage.
 PlateSinkage ReadPlateSinkage(const std::string& file);
 
 // What decided the cohesive modulus.

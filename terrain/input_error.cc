@@ -14,6 +14,15 @@ std::string Shown(double value) {
   return std::string(text, std::to_chars(text, text + sizeof text, value, format).ptr);
 }
 
+std::string Rounded(double value, int digits) {
+  char text[48];
+  const auto end =
+      std::to_chars(text, text + sizeof text, value, std::chars_format::scientific, digits - 1).ptr;
+  double rounded = value;
+  ParseNumber(std::string(text, end), &rounded);
+  return Shown(rounded);
+}
+
 std::string Listed(const std::vector<std::string>& words) {
   std::string list;
   for (const std::string& word : words) list += (list.empty() ? "" : ", ") + word;

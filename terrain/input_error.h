@@ -17,6 +17,9 @@ class InputError : public std::runtime_error {
 // double, with an exponent only below 1e-5 and from 1e7.
 std::string Shown(double value);
 
+// The same, rounded to so many significant digits.
+std::string Rounded(double value, int digits);
+
 // "a, b, c"
 std::string Listed(const std::vector<std::string>& words);
 

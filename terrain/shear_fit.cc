@@ -115,9 +115,18 @@ void Store(const Fit& fit, const Model& model, ShearFit* result) {
   result->fitted.assign(fitted.begin(), fitted.end());
 }
 
+void RequireModulus(double modulus, double longest) {
+  constexpr double kFarthest = 5;  // times the longest slip: there 18 % of the strength shows
+  if (modulus > 0 && modulus <= kFarthest * longest) return;
+  throw InputError("the readings ask for K = " + Rounded(modulus, 6) +
+                   " m, which must be > 0 and at most 5 times the longest displacement, " +
+                   Rounded(longest, 6) + " m: shear stress must rise and begin to level off");
+}
+
 void JudgeCurves(const ShearTest& test, ShearFit* result) {
   double longest = 0;
   for (double j : test.displacement) longest = std::max(longest, j);
+  RequireModulus(result->modulus.value, longest);
   result->is_short = longest < 2 * result->modulus.value;
   for (const auto& [stress, rows] : RowsByValue(test.normal_stress)) {
     const Peak peak = PeakOf(test, rows);
@@ -165,10 +174,6 @@ ShearFit FitShear(const ShearTest& test) {
   }
   if (result.bound != StrengthBound::kNone) fit = Search(model, start, result.bound);
   Store(fit, model, &result);
-  if (result.modulus.value <= 0) {
-    throw InputError("the readings ask for K = " + Shown(result.modulus.value) +
-                     " m, which must be > 0: the shear stress must rise with the displacement");
-  }
   JudgeCurves(test, &result);
   return result;
 }

@@ -38,7 +38,8 @@ struct ShearFit {
 
 // Least squares of tau = (c + sigma tan(phi)) (1 - exp(-j/K)), Mohr-Coulomb and Janosi-Hanamoto
 // (1961); equation 4.15 of Madsen (2014) as it should read. Throws InputError if the readings do
-// not determine the parameters; one normal stress never does.
+// not determine the parameters, as those of one normal stress never do, or if K would not be
+// positive or be more than five times the longest slip.
 ShearFit FitShear(const ShearTest& test);
 
 }  // namespace softsoil

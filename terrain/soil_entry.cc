@@ -2,7 +2,6 @@
 
 #include <tinyxml2.h>
 
-#include <charconv>
 #include <vector>
 
 #include "terrain/input_error.h"
@@ -113,15 +112,6 @@ class EntryPrinter {
 };
 
 }  // namespace
-
-std::string Rounded(double value, int digits) {
-  char text[48];
-  const auto end =
-      std::to_chars(text, text + sizeof text, value, std::chars_format::scientific, digits - 1).ptr;
-  double rounded = value;
-  ParseNumber(std::string(text, end), &rounded);
-  return Shown(rounded);
-}
 
 std::string SoilXml(const SoilEntry& entry) { return EntryPrinter(entry).Text(); }
 

@@ -26,7 +26,4 @@ struct SoilEntry {
 // soil needs must have a source.
 std::string SoilXml(const SoilEntry& entry);
 
-// A number as a file or a table shows it: so many significant digits.
-std::string Rounded(double value, int digits);
-
 }  // namespace softsoil

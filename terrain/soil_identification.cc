@@ -1,6 +1,7 @@
 #include "terrain/soil_identification.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "terrain/constants.h"
 #include "terrain/input_error.h"
@@ -57,8 +58,11 @@ class Identification {
   }
 
   void SetFitted(const std::string& element, const std::string& name, const Fitted& fitted,
-                 const std::string& from, const std::string& warning = "") {
+                 const std::string& from, std::string warning = "") {
     const double to_si = Find(element, name).to_si;
+    if (fitted.confidence > std::abs(fitted.value)) {
+      warning += std::string(warning.empty() ? "" : "; ") + "the readings hardly determine it";
+    }
     Set(element, name,
         {"", fitted.value / to_si, "", fitted.confidence / to_si, kFit, from, warning});
   }

@@ -46,7 +46,7 @@ void RequireWithinData(const Texture& texture) {
     throw InputError(std::string(share.name) + " must be " + InWords(data) +
                      " %, the range of the soils behind the relations (Madsen 2014: CH, ML, SW, " +
                      "CL, MH), got " + Shown(texture.*share.value) +
-                     " %; test the soil (--plate, --shear) or name a similar one (--like)");
+                     " %; test the soil, or take a similar one");
   }
 }
 

@@ -37,7 +37,8 @@ bool AreGiven(const std::vector<std::pair<const char*, std::optional<double>>>& 
 void AddComposition(const SoilOptions& options, SoilEvidence* evidence) {
   const bool shares =
       AreGiven({{"--clay", options.clay}, {"--silt", options.silt}, {"--sand", options.sand}});
-  if (options.uscs && shares) throw InputError("--uscs and --clay, --silt, --sand exclude another");
+  if (options.uscs && shares)
+    throw InputError("--uscs and --clay, --silt, --sand exclude one another");
   if (options.uscs) {
     evidence->uscs = &FindUscsSoil(*options.uscs);
     evidence->composition = evidence->uscs->composition;
@@ -76,6 +77,10 @@ SoilTests AddTests(const SoilOptions& options, SoilEvidence* evidence) {
     const BearingForm form = options.reece ? BearingForm::kReece : BearingForm::kBekker;
     const BearingFit fit = At(*options.plate, [&] { return FitBearing(*tests.plate, form); });
     evidence->bearing = Summarised(*options.plate, fit, "width", fit.widths, "m");
+    if (options.frictional && fit.basis != CohesiveModulus::kUnknown) {
+      throw InputError("--frictional is for plates of one width, got " +
+                       std::to_string(fit.widths.size()) + " widths, which tell k_c");
+    }
     evidence->is_frictional = options.frictional;
   } else if (options.reece || options.frictional) {
     throw InputError(std::string(options.reece ? "--reece" : "--frictional") +
@@ -121,7 +126,22 @@ struct Outputs {
   std::string xml, picture, json;  // empty: not wanted
 };
 
+void RequireFree(const std::string& file, bool force) {
+  if (fs::is_directory(file)) throw InputError(file + ": is a folder, not a file");
+  if (fs::exists(file) && !force)
+    throw InputError(file + ": is there already; --force overwrites it");
+  const fs::path folder = fs::path(file).parent_path();
+  PrepareFolder(folder.empty() ? "." : folder.string());
+}
+
+void RequireEnding(const std::optional<std::string>& file, const char* option, const char* ending) {
+  if (!file || fs::path(*file).extension() == ending) return;
+  throw InputError(std::string(option) + " must end in " + ending + ", got \"" + *file + "\"");
+}
+
 Outputs OutputsOf(const SoilOptions& options) {
+  RequireEnding(options.out, "--out", ".xml");
+  RequireEnding(options.picture, "--picture", ".png");
   Outputs outputs;
   if (options.out) outputs.xml = *options.out;
   const bool tested = options.plate || options.shear;
@@ -134,13 +154,7 @@ Outputs OutputsOf(const SoilOptions& options) {
   const std::string beside = outputs.picture.empty() ? outputs.xml : outputs.picture;
   if (!beside.empty()) outputs.json = fs::path(beside).replace_extension(".json");
   for (const std::string& file : {outputs.xml, outputs.picture, outputs.json}) {
-    if (file.empty()) continue;
-    if (fs::is_directory(file)) throw InputError(file + ": is a folder, not a file");
-    if (fs::exists(file) && !options.force) {
-      throw InputError(file + ": is there already; --force overwrites it");
-    }
-    const fs::path folder = fs::path(file).parent_path();
-    PrepareFolder(folder.empty() ? "." : folder.string());
+    if (!file.empty()) RequireFree(file, options.force);
   }
   return outputs;
 }
@@ -151,6 +165,41 @@ void WriteWhole(const std::string& path, const std::string& text) {
   file.Finish();
 }
 
+void RequireComplete(const SoilOptions& options, const SoilEvidence& evidence,
+                     const IdentifiedSoil& soil) {
+  if (soil.findings.empty()) {
+    throw InputError(
+        "nothing is known of the soil: give --uscs, --clay --silt --sand, --plate, "
+        "--shear or --like");
+  }
+  if (!options.out) return;
+  RequireName(options.name);
+  if (!soil.missing.empty()) {
+    throw InputError("the entry is incomplete: " + Remedies(evidence, soil.missing));
+  }
+}
+
+void Print(const SoilEvidence& evidence, const IdentifiedSoil& soil) {
+  std::printf("%s", TableOf(soil, evidence).c_str());
+  if (soil.missing.empty()) return;
+  std::printf("\nfor an entry besides: %s\n", Remedies(evidence, soil.missing).c_str());
+}
+
+// The entry last: where it is, the rest is too.
+void Write(const Outputs& outputs, const std::string& python, const IdentifiedSoil& soil,
+           const std::string& report) {
+  if (outputs.json.empty()) return;
+  WriteWhole(outputs.json, report);
+  if (!outputs.picture.empty()) {
+    Draw(python, "soil_tests.py", {outputs.json, outputs.picture}, outputs.picture);
+  }
+  if (!outputs.xml.empty()) WriteWhole(outputs.xml, SoilXml(soil.entry));
+  std::printf("\n");
+  for (const std::string& file : {outputs.xml, outputs.picture, outputs.json}) {
+    if (!file.empty()) std::printf("written: %s\n", file.c_str());
+  }
+}
+
 }  // namespace
 
 void IdentifySoil(const SoilOptions& options) {
@@ -159,35 +208,14 @@ void IdentifySoil(const SoilOptions& options) {
   AddState(options, &evidence);
   const SoilTests tests = AddTests(options, &evidence);
   IdentifiedSoil soil = Identify(evidence);
-  if (soil.findings.empty()) {
-    throw InputError(
-        "nothing is known of the soil: give --uscs, --clay --silt --sand, --plate, "
-        "--shear or --like");
-  }
   soil.entry.soil.name = options.name;
   soil.entry.soil.description = options.description;
-  if (options.out) {
-    RequireName(options.name);
-    if (!soil.missing.empty()) {
-      throw InputError("the entry is incomplete: " + Remedies(evidence, soil.missing));
-    }
-  }
+  RequireComplete(options, evidence, soil);
   const Outputs outputs = OutputsOf(options);
   const std::string python = outputs.picture.empty() ? "" : PythonThatPlots();
 
-  std::printf("%s", TableOf(soil, evidence).c_str());
-  if (!soil.missing.empty()) {
-    std::printf("\nfor an entry besides: %s\n", Remedies(evidence, soil.missing).c_str());
-  }
-  if (!outputs.json.empty()) WriteWhole(outputs.json, JsonOf(soil, evidence, tests));
-  if (!outputs.picture.empty()) {
-    Draw(python, "soil_tests.py", {outputs.json, outputs.picture}, outputs.picture);
-  }
-  if (!outputs.xml.empty()) WriteWhole(outputs.xml, SoilXml(soil.entry));
-  if (!outputs.json.empty()) std::printf("\n");
-  for (const std::string& file : {outputs.xml, outputs.picture, outputs.json}) {
-    if (!file.empty()) std::printf("written: %s\n", file.c_str());
-  }
+  Print(evidence, soil);
+  Write(outputs, python, soil, JsonOf(soil, evidence, tests));
   FlushStandardOutput();
 }
 

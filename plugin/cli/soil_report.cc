@@ -6,6 +6,8 @@
 #include <nlohmann/json.hpp>
 #include <vector>
 
+#include "terrain/input_error.h"
+
 namespace softsoil {
 namespace {
 

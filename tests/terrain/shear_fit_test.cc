@@ -134,6 +134,13 @@ TEST(FitShear, NeedsASecondNormalStress) {
                                         "and friction angle; test a second one"));
 }
 
+TEST(FitShear, RefusesReadingsThatDoNotBeginToLevelOff) {
+  const ShearTest test = Sheared({10e3, 30e3, 60e3}, kC, kPhi, 0.5);
+  EXPECT_THAT(
+      [&] { FitShear(test); },
+      ThrowsMessage<InputError>(HasSubstr("at most 5 times the longest displacement, 0.06 m")));
+}
+
 constexpr char kHeader[] = "normal_stress [kPa], displacement [mm], shear_stress [kPa]\n";
 
 std::string Refusal(const std::string& rows) {

@@ -19,7 +19,7 @@ COLOURS = ["#7b3022", "#c8782a", "#3f7f8c", "#6a5a9e", "#4e8a3a", "#b03a6a"]
 MARKERS = ["o", "s", "^", "D", "v", "P"]
 LINE = {"linewidth": 1.8, "zorder": 2}
 POINT = {"linestyle": "none", "markersize": 5, "markerfacecolor": "white", "markeredgewidth": 1.3,
-         "zorder": 3}
+         "zorder": 3, "clip_on": False}
 
 
 def groups_of(column):
@@ -42,17 +42,32 @@ def with_interval(findings, parameter, factor, unit):
     return text + (" " + unit if unit else "")
 
 
+def spread(heights, gap):
+    """Rising heights moved as little as needed to lie at least a gap apart."""
+    heights = np.array(heights, dtype=float)
+    for _ in range(200):
+        for lower in range(len(heights) - 1):
+            lacking = gap - (heights[lower + 1] - heights[lower])
+            if lacking > 0:
+                heights[lower] -= lacking / 2
+                heights[lower + 1] += lacking / 2
+    return heights
+
+
 def label_ends(axes, ends, title):
     """Writes beside the end of each curve what it is; ends are (x, y, text, colour)."""
-    gap = 0.055 * axes.get_ylim()[1]
-    lowest = 0
-    for x, y, text, colour in sorted(ends, key=lambda end: end[1]):
-        lowest = max(y, lowest + gap)
-        axes.annotate(text, (x, lowest), xytext=(9, 0), textcoords="offset points", va="center",
-                      color=colour, fontsize=10)
-    axes.annotate(title, (max(x for x, *_ in ends), lowest + 1.4 * gap), xytext=(9, 0),
-                  textcoords="offset points", va="center", color="#444444", fontsize=9)
-    axes.set_xlim(right=1.2 * max(x for x, *_ in ends))
+    ends = sorted(ends, key=lambda end: end[1])
+    top = axes.get_ylim()[1]
+    gap = 0.055 * top
+    heights = spread([y for _, y, _, _ in ends], gap)
+    right = max(x for x, *_ in ends)
+    style = {"xytext": (9, 0), "textcoords": "offset points", "va": "center",
+             "annotation_clip": False}
+    for height, (x, _, text, colour) in zip(heights, ends):
+        axes.annotate(text, (x, height), color=colour, fontsize=10, **style)
+    axes.annotate(title, (right, heights[-1] + 1.3 * gap), color="#444444", fontsize=9, **style)
+    axes.set_ylim(top=max(top, heights[-1] + 2 * gap))
+    axes.set_xlim(right=1.25 * right)
 
 
 def plate_pressure(plate, width, sinkage):
@@ -90,7 +105,8 @@ def draw_plates(axes, plate, findings):
         ends.append((100 * z[-1], plate_pressure(plate, width, z[-1]) / 1e3,
                      f"{100 * width:.3g} cm", colour))
     axes.set(xlabel="sinkage [cm]", ylabel="pressure below the plate [kPa]")
-    finish(axes, "Plate sinkage", plate_title(plate, findings), "upper left")
+    free = "upper left" if plate["n"] > 0.9 else "lower right"  # above or below the curves
+    finish(axes, "Plate sinkage", plate_title(plate, findings), free)
     label_ends(axes, ends, "plate width")
 
 
