@@ -8,5 +8,6 @@ namespace softsoil {
 void AddRunCommand(CLI::App& program);
 void AddListCommand(CLI::App& program);
 void AddWithCommand(CLI::App& program);
+void AddFitTireCommand(CLI::App& program);
 
 }  // namespace softsoil

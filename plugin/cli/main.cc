@@ -22,6 +22,7 @@ int ParseAndRun(int argc, char** argv) {
   AddRunCommand(program);
   AddListCommand(program);
   AddWithCommand(program);
+  AddFitTireCommand(program);
   try {
     program.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

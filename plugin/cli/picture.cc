@@ -65,4 +65,12 @@ void DrawPictures(const std::string& python, const std::string& folder) {
   }
 }
 
+void DrawTireFit(const std::string& python, const std::string& json, const std::string& picture) {
+  const std::string script = ShareFolder() + "/plot/tire_fit.py";
+  const int status = Execute({python, script, json, picture}, Messages::kShown);
+  if (status == 0) return;
+  throw std::runtime_error(picture + ": " + script + " failed with exit status " +
+                           std::to_string(status));
+}
+
 }  // namespace softsoil

@@ -13,4 +13,7 @@ std::string PythonThatPlots();
 // std::runtime_error.
 void DrawPictures(const std::string& python, const std::string& folder);
 
+// Draws load-deflection data and the fits to them from the JSON file of softsoil fit-tire.
+void DrawTireFit(const std::string& python, const std::string& json, const std::string& picture);
+
 }  // namespace softsoil
