@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "contact/tire.h"
+#include "contact/tire_family.h"
 #include "plugin/cli/commands.h"
 #include "plugin/cli/paths.h"
 #include "plugin/cli/standard_output.h"
@@ -30,9 +30,22 @@ Rows FromCatalogue(Catalogue<Entry> catalogue, const std::string& folder) {
   return RowsOf(catalogue.entries());
 }
 
+// The entries, and the families that any pressure can be chosen of.
+Rows Tires() {
+  Catalogue<Tire> catalogue = TireCatalogue();
+  catalogue.AddFolder(ShareFolder() + "/models/tires");
+  Rows rows = RowsOf(catalogue.entries());
+  for (const TireFamily& family : TireFamilies(catalogue)) {
+    if (family.lowest == family.highest) continue;
+    rows.emplace_back(family.name + kAtPressure + "PRESSURE",
+                      "Any inflation pressure from " + TestedPressures(family) + "");
+  }
+  return rows;
+}
+
 Rows RowsOfKind(const std::string& kind) {
   if (kind == "soils") return FromCatalogue(SoilCatalogue(), kind);
-  if (kind == "tires") return FromCatalogue(TireCatalogue(), kind);
+  if (kind == "tires") return Tires();
   return RowsOf(ShippedScenes());
 }
 
