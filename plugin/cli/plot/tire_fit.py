@@ -26,18 +26,18 @@ def draw_loads(axes, test):
     axes.plot(CENTI * np.array(test["deflection"]), KILO * np.array(test["load"]), "o",
               color="black", markersize=5, markerfacecolor="none", label="measured", zorder=3)
     for alike in alike_fits(test["fits"]):
-        fit = alike[-1]
+        fit = alike[0]
         axes.plot(CENTI * np.array(fit["deflection"]), KILO * np.array(fit["load"]),
                   label=label_of(alike), **style_of(fit))
     axes.set_ylabel("load [kN]")
     axes.set_title(test["name"], fontsize=11, loc="left")
-    axes.legend(frameon=False, fontsize=9)
+    axes.legend(frameon=False, fontsize=9, loc="upper left")
 
 
 def draw_errors(axes, test):
     """Fit minus measurement, at the rows."""
     z, load = np.array(test["deflection"]), np.array(test["load"])
-    for *_, fit in alike_fits(test["fits"]):
+    for fit, *_ in alike_fits(test["fits"]):
         error = np.interp(z, fit["deflection"], fit["load"]) - load
         axes.plot(CENTI * z, KILO * error, marker=".", markersize=4, **style_of(fit))
     axes.axhline(0, color="black", linewidth=0.8, zorder=1)
@@ -45,7 +45,7 @@ def draw_errors(axes, test):
 
 
 def alike_fits(fits):
-    """Lists of fits that are the same spring, as a term was lost; the best is last in its list."""
+    """Lists of fits that are the same spring, as a term was lost; the best is first in its list."""
     lists = []
     for fit in fits:
         same = [one for one in lists if np.allclose(one[0]["load"], fit["load"], rtol=1e-6)]
@@ -53,7 +53,7 @@ def alike_fits(fits):
             same[0].append(fit)
         else:
             lists.append([fit])
-    return [sorted(one, key=lambda fit: fit["best"]) for one in lists]
+    return [sorted(one, key=lambda fit: not fit["best"]) for one in lists]
 
 
 def style_of(fit):
@@ -63,10 +63,10 @@ def style_of(fit):
 
 
 def label_of(alike):
-    names = ", ".join(fit["form"] for fit in reversed(alike))
-    rms = alike[-1]["rms"]
+    names = ", ".join(fit["form"] for fit in alike)
+    rms = alike[0]["rms"]
     digits = f"{rms:,.0f}" if rms >= 10 else f"{rms:.2g}"
-    return f"{names}: rms {digits} N{'  (best)' if alike[-1]['best'] else ''}"
+    return f"{names}: rms {digits} N{'  (best)' if alike[0]['best'] else ''}"
 
 
 def draw(fits):
