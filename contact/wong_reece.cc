@@ -78,12 +78,13 @@ double ShearDisplacement(const Rim& rim, double angle) {
   return Displacement(rim, towed ? rim.max_stress_angle : rim.entry_angle, angle);
 }
 
-// Janosi and Hanamoto, equation 2.5, against the displacement.
+// Shear against the displacement: Janosi and Hanamoto, equation 2.5, or with a hump, 2.8.
 RimStress Stress(const Rim& rim, double share, double angle) {
   const Shear& shear = rim.soil.shear;
   const double pressure = Pressure(rim, share), j = ShearDisplacement(rim, angle);
   const double strength = shear.cohesion + pressure * std::tan(shear.friction_angle);
-  const double mobilised = -std::expm1(-std::abs(j) / shear.modulus);
+  const double mobilised =
+      -std::expm1(-std::abs(j) / shear.modulus) * HumpFactor(shear, std::abs(j));
   return {angle, pressure, std::copysign(strength * mobilised, j)};
 }
 
@@ -92,7 +93,8 @@ RimStress Stress(const Rim& rim, double share, double angle) {
 // is at ease with any singularity at an end, and with the thin layer in which shear builds up.
 template <class Density>
 double OverContact(const Rim& rim, const Density& density) {
-  thread_local boost::math::quadrature::tanh_sinh<double> rule;  // holds a table of its nodes
+  // Smooth stress needs about six halvings of its step; the kink of a hump would take any number.
+  thread_local boost::math::quadrature::tanh_sinh<double> rule(9);  // holds a table of its nodes
   const double rear = rim.max_stress_angle, front = rim.entry_angle - rear;
   const auto both_zones = [&](double share) {
     return front * density(Stress(rim, share, FrontAngle(rim, share))) +
@@ -143,7 +145,7 @@ Rim RimUnder(double load, const RimAt& rim_at) {
   return rim_at(Root(excess, 0, kSteepestEntry, -load, most - load));
 }
 
-double MaxStressRatio(const MaxStressPlace& place, double slip) {
+double MaxStressRatio(const MaxStress& place, double slip) {
   const double ratio = place.c_1 + place.c_2 * slip;
   if (ratio > 0 && ratio < 1) return ratio;
   throw InputError("theta_m / theta_1 = c_1 + c_2 i must be > 0 and < 1, got " + Shown(ratio) +
@@ -160,15 +162,27 @@ Rim TowedRim(const RigidWheel& wheel, const SoilUnderRim& soil, double theta_1, 
   return {wheel, soil, theta_1, theta_0, 1 - std::cos(alpha) / std::cos(theta_0 + alpha)};
 }
 
-// The towed rim without torque. With theta_0 near 0 shear drives the wheel all along the rim; with
-// theta_0 at the entry, or where the wheel is locked, theta_0 + alpha = pi/2, shear brakes it.
+// The towed rim without torque, of the least skid. With theta_0 near 0 shear drives the wheel all
+// along the rim. With theta_0 at the entry, or where the wheel is locked, theta_0 + alpha = pi/2,
+// it brakes; but of soil whose shear strength is gone after a hump little may be left there.
 Rim TorqueFreeRim(const RigidWheel& wheel, const SoilUnderRim& soil, double theta_1) {
   const auto torque = [&](double theta_0) {
     return TorqueOf(TowedRim(wheel, soil, theta_1, theta_0));
   };
-  const double most = std::min(theta_1, kPi / 2 - FailureAngle(soil.shear));
-  const double low = 1e-9 * most, high = (1 - 1e-9) * most;
-  return TowedRim(wheel, soil, theta_1, Root(torque, low, high, torque(low), torque(high)));
+  constexpr int kParts = 16;
+  const double part = std::min(theta_1, kPi / 2 - FailureAngle(soil.shear)) / kParts;
+  double low = 1e-9 * part, driving = torque(low);
+  for (int k = 1; k <= kParts; ++k) {
+    const double high = (k - 1e-9) * part, torque_there = torque(high);
+    if (torque_there <= 0 && driving > 0) {
+      return TowedRim(wheel, soil, theta_1, Root(torque, low, high, driving, torque_there));
+    }
+    low = high;
+    driving = torque_there;
+  }
+  throw InputError(
+      "a towed wheel must have some skid without torque, got none at the entry angle " +
+      Shown(theta_1 * 180 / kPi) + " deg; the load is too small, or the soil loses its strength");
 }
 
 }  // namespace

@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "terrain/shear.h"
+#include "terrain/soil.h"
 
 namespace softsoil {
 
@@ -25,33 +26,26 @@ struct RigidWheel {
   double width;   // [m]  b, > 0
 };
 
-// Where the soil presses most on a driven wheel: theta_m = (c_1 + c_2 i) theta_1, equation 2.19.
-// Both are measured; theta_m must come to lie between 0 and theta_1.
-struct MaxStressPlace {
-  double c_1;  // [-]
-  double c_2;  // [-]
-};
-
 // Soil as the rim meets it: a plate of the wheel's width sinks by z under the pressure k_e z^n.
 struct SoilUnderRim {
-  double bearing_modulus;     // [N/m^(n+2)]  k_e, > 0: BearingModulus() for the wheel's width
-  double n;                   // [-]          sinkage exponent, > 0
-  Shear shear;                //              of a towed wheel: strength > 0
-  MaxStressPlace max_stress;  //              of a driven wheel; a towed wheel needs none
+  double bearing_modulus;  // [N/m^(n+2)]  k_e, > 0: BearingModulus() for the wheel's width
+  double n;                // [-]          sinkage exponent, > 0
+  Shear shear;             //              of a towed wheel: strength > 0
+  // Of a driven wheel, measured: theta_m = (c_1 + c_2 i) theta_1, equation 2.19, between 0 and
+  // theta_1. A towed wheel needs none.
+  MaxStress max_stress = {};
 };
 
 struct WongReece {
-  double slip;         // [-]    i; of a towed wheel negative
-  double entry_angle;  // [rad]  theta_1, up to 89 degrees
-  double
-      max_stress_angle;  // [rad]  theta_m; of a towed wheel theta_0, where the shear changes sign
-  double sinkage;        // [m]    r (1 - cos(theta_1))
-  double load;           // [N]    W that the soil carries, equation 2.11
-  double thrust;         // [N]    forward part of the shear forces
+  double slip;               // [-]    i; of a towed wheel negative
+  double entry_angle;        // [rad]  theta_1, up to 89 degrees
+  double max_stress_angle;   // [rad]  theta_m; where the shear on a towed wheel changes sign
+  double sinkage;            // [m]    r (1 - cos(theta_1))
+  double load;               // [N]    W that the soil carries, equation 2.11
+  double thrust;             // [N]    forward part of the shear forces
   double motion_resistance;  // [N]    rearward part of the normal forces
-  double drawbar_pull;  // [N]    D = thrust - motion resistance, equation 2.12; minus the force
-                        //        that tows a towed wheel
-  double torque;        // [N m]  T that drives the wheel, equation 2.13
+  double drawbar_pull;       // [N]    thrust - motion resistance, 2.12; < 0 if towed
+  double torque;             // [N m]  that drives the wheel, equation 2.13
 };
 
 // Wheel driven at the slip i, 0 to 1. Throws InputError where a number breaks its range above, and
@@ -64,7 +58,7 @@ WongReece TowedWheel(const RigidWheel& wheel, const SoilUnderRim& soil, double l
 struct RimStress {
   double angle;     // [rad]  theta
   double pressure;  // [Pa]   sigma, equations 2.15 to 2.17
-  double shear;     // [Pa]   tau on the rim, positive where it drives the wheel forward, 2.5
+  double shear;     // [Pa]   tau on the rim, positive where it drives the wheel forward, 2.5 or 2.8
 };
 
 // Stress on the rim of a wheel that rolls as found above; none off the contact.

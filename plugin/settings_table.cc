@@ -48,7 +48,7 @@ TireNames ParseTires(const std::string& text) {
   return tires;
 }
 
-// A number of the list `text` that must be within limits.
+// One number of a list.
 double Within(Limits limits, const char* name, const std::string& unit, const std::string& number) {
   double value = 0;
   if (ParseNumber(number, &value) && Contains(limits, value)) return value;

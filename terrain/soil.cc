@@ -82,9 +82,7 @@ constexpr double kLeastYieldStress = 100;
 
 void RefuseTooLoose(const XmlEntry& entry, const Compaction& soil, double density) {
   if (VirginStress(soil, density) >= kLeastYieldStress) return;
-  const double least = soil.reference_density + soil.moisture_shift +
-                       soil.index * std::log10(kLeastYieldStress / soil.reference_stress);
-  entry.Refuse("initial_density must be >= " + Shown(least) +
+  entry.Refuse("initial_density must be >= " + Shown(LeastInitialDensity(soil)) +
                " kg/m^3, where the virgin curve has 100 Pa, got " + Shown(density));
 }
 
@@ -161,6 +159,11 @@ const std::vector<Attribute<Soil>>& SoilAttributes(BearingForm form) {
   static const Table bekker = SoilTable(BearingForm::kBekker);
   static const Table reece = SoilTable(BearingForm::kReece);
   return form == BearingForm::kReece ? reece : bekker;
+}
+
+double LeastInitialDensity(const Compaction& soil) {
+  return soil.reference_density + soil.moisture_shift +
+         soil.index * std::log10(kLeastYieldStress / soil.reference_stress);
 }
 
 double InitialDensity(const Soil& soil, double depth) {

@@ -1,7 +1,8 @@
 # Sourced by tests/run.sh and the examples; sets nothing up by itself. Gives
 #   install_packages         what softsoil needs from Debian 12, only what is missing
 #   build PRESET [TARGET]... configures once, builds what changed; the build folder is then in $build
-#   use_softsoil             the program softsoil in PATH: the build that ctest gives, or a release build of its own
+#   use_softsoil [TARGET]... the program softsoil in PATH: the build that ctest gives, or a release build of its own with more
+#                            targets besides
 
 repo=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 
@@ -56,7 +57,7 @@ build() {
 use_softsoil() {
   if [[ -z ${SOFTSOIL_BUILD:-} ]]; then
     install_packages
-    build release softsoil_cli
+    build release softsoil_cli "$@"
     export SOFTSOIL_BUILD=$build
   fi
   export PATH=$SOFTSOIL_BUILD/bin:$PATH

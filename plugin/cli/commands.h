@@ -6,7 +6,10 @@
 namespace softsoil {
 
 void AddRunCommand(CLI::App& program);
+void AddDrawbarCommand(CLI::App& program);
+void AddWongReeceCommand(CLI::App& program);
 void AddListCommand(CLI::App& program);
+void AddSoilCommand(CLI::App& program);
 void AddWithCommand(CLI::App& program);
 void AddFitTireCommand(CLI::App& program);
 

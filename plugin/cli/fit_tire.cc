@@ -45,6 +45,14 @@ void CheckNumbers(const FitTireOptions& options) {
   }
 }
 
+void CheckFiles(const FitTireOptions& options) {
+  for (const std::string& file : {options.out, options.picture}) {
+    if (!file.empty() && !options.force && fs::exists(file)) {
+      throw InputError(file + ": is there already; --force overwrites it");
+    }
+  }
+}
+
 // What an entry needs beyond the data.
 void CheckEntry(const FitTireOptions& options) {
   if (options.out.empty()) return;
@@ -57,9 +65,6 @@ void CheckEntry(const FitTireOptions& options) {
   }
   if (!options.friction && options.like.empty()) {
     throw InputError("--out needs --friction, or --like a tire that it is taken from");
-  }
-  if (!options.force && fs::exists(options.out)) {
-    throw InputError(options.out + " is there already; --force overwrites it");
   }
 }
 
@@ -165,14 +170,14 @@ std::string EntriesOf(const FitTireOptions& options, const FittedTire& fitted,
   return TireFileText(tires, sources);
 }
 
-void Draw(const FitTireOptions& options, const FittedTire& tire, const std::string& python) {
+void DrawFits(const FitTireOptions& options, const FittedTire& tire, const std::string& python) {
   const std::string title = options.name.empty() ? FileName(options.data) : options.name;
   const std::string numbers = options.picture + ".json";
   try {
     OutputFile json(numbers);
     json.Write(FitsAsJson(tire, title));
     json.Finish();
-    DrawTireFit(python, numbers, options.picture);
+    Draw(python, "tire_fit.py", {numbers, options.picture}, options.picture);
   } catch (...) {
     std::remove(numbers.c_str());
     throw;
@@ -184,6 +189,7 @@ void Draw(const FitTireOptions& options, const FittedTire& tire, const std::stri
 
 void FitTire(const FitTireOptions& options) {
   CheckNumbers(options);
+  CheckFiles(options);
   CheckEntry(options);
   FittedTire tire{};
   FitShape(options, &tire);
@@ -194,7 +200,7 @@ void FitTire(const FitTireOptions& options) {
 
   PrintFits(tire);
   if (!options.picture.empty()) {
-    Draw(options, tire, python);
+    DrawFits(options, tire, python);
     std::printf("%s: data and fits\n", options.picture.c_str());
   }
   if (!options.out.empty()) {

@@ -22,7 +22,7 @@ struct FitTireOptions {
   std::optional<double> friction;  // [-]  between tire and soil
   std::string like;                // tire whose friction is taken
   std::string out, picture;        // files; empty: none
-  bool force = false;              // overwrite `out`
+  bool force = false;              // overwrite these files
 };
 
 // What the data give.

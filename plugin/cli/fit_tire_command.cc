@@ -37,7 +37,7 @@ void AddFitTireCommand(CLI::App& program) {
   command->add_option("--friction", o.friction, "Friction between tire and soil [-]");
   command->add_option("--like", o.like, "Tire of the catalogue whose friction is taken");
   command->add_option("--out", o.out, "XML file to write the entries to");
-  command->add_flag("--force", o.force, "Overwrite the file of --out");
+  command->add_flag("--force", o.force, "Overwrite files that are there");
   command->add_option("--picture", o.picture, "PNG file to draw data and fits in");
   command->get_option("--damping")->excludes("--load");
   command->get_option("--friction")->excludes("--like");

@@ -58,8 +58,8 @@ void PrintFits(const FittedTire& tire) {
   for (std::size_t t = 0; t < tire.tests.size(); ++t) {
     std::printf("\n%s, %zu rows\n", PressureOf(tire.tests[t]).c_str(),
                 tire.tests[t].rows.load.size());
-    std::printf("  %-14s  %9s  %9s  %8s  %-24s  p0, p1, p2 [SI]\n", "form", "rms [N]",
-                "worst [N]", "R^2", "pressure [Pa]");
+    std::printf("  %-14s  %9s  %9s  %8s  %-24s  p0, p1, p2 [SI]\n", "form", "rms [N]", "worst [N]",
+                "R^2", "pressure [Pa]");
     for (std::size_t form = 0; form < tire.fits[t].size(); ++form) {
       const SpringFit& fit = tire.fits[t][form];
       std::printf("%s %-14s  %9.4g  %9.4g  %8.6f  %-24s%s\n", form == tire.best ? "*" : " ",

@@ -1,4 +1,5 @@
-// The program softsoil: runs scenes, lists what is shipped, starts other programs with soil.
+// The program softsoil: runs scenes, lists what is shipped, identifies soils, starts other programs
+// with soil.
 #include <cstdio>
 #include <exception>
 #include <string>
@@ -20,7 +21,10 @@ int ParseAndRun(int argc, char** argv) {
   program.require_subcommand(1);
   program.failure_message(BadUsage);
   AddRunCommand(program);
+  AddDrawbarCommand(program);
+  AddWongReeceCommand(program);
   AddListCommand(program);
+  AddSoilCommand(program);
   AddWithCommand(program);
   AddFitTireCommand(program);
   try {

@@ -8,7 +8,6 @@
 #include <cerrno>
 #include <cstring>
 #include <stdexcept>
-#include <vector>
 
 #include "plugin/cli/paths.h"
 #include "terrain/input_error.h"
@@ -55,21 +54,21 @@ std::string PythonThatPlots() {
       "python3-matplotlib), and none was found; --no-picture runs without");
 }
 
-void DrawPictures(const std::string& python, const std::string& folder) {
-  for (const std::string name : {"terrain", "contact"}) {
-    const std::string script = ShareFolder() + "/plot/" + name + ".py";
-    const int status = Execute({python, script, folder}, Messages::kShown);
-    if (status == 0) continue;
-    throw std::runtime_error(folder + "/" + name + ".png: " + script + " failed with exit status " +
-                             std::to_string(status));
+void DrawPictures(const std::string& python, const std::string& folder,
+                  const std::vector<std::string>& names) {
+  for (const std::string& name : names) {
+    Draw(python, name + ".py", {folder}, folder + "/" + name + ".png");
   }
 }
 
-void DrawTireFit(const std::string& python, const std::string& json, const std::string& picture) {
-  const std::string script = ShareFolder() + "/plot/tire_fit.py";
-  const int status = Execute({python, script, json, picture}, Messages::kShown);
+void Draw(const std::string& python, const std::string& script,
+          const std::vector<std::string>& arguments, const std::string& picture) {
+  const std::string path = ShareFolder() + "/plot/" + script;
+  std::vector<std::string> words = {python, path};
+  words.insert(words.end(), arguments.begin(), arguments.end());
+  const int status = Execute(words, Messages::kShown);
   if (status == 0) return;
-  throw std::runtime_error(picture + ": " + script + " failed with exit status " +
+  throw std::runtime_error(picture + ": " + path + " failed with exit status " +
                            std::to_string(status));
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 namespace softsoil {
 
@@ -9,11 +10,14 @@ namespace softsoil {
 // system, or the first in PATH. Throws InputError if none has.
 std::string PythonThatPlots();
 
-// Draws <folder>/terrain.png and contact.png from the other files of the run. Throws
-// std::runtime_error.
-void DrawPictures(const std::string& python, const std::string& folder);
+// Draws <folder>/<name>.png by plot/<name>.py from the other files in the folder, for each name.
+// Throws std::runtime_error.
+void DrawPictures(const std::string& python, const std::string& folder,
+                  const std::vector<std::string>& names);
 
-// Draws load-deflection data and the fits to them from the JSON file of softsoil fit-tire.
-void DrawTireFit(const std::string& python, const std::string& json, const std::string& picture);
+// Runs share/softsoil/plot/<script> with these arguments, to draw `picture`. Throws
+// std::runtime_error.
+void Draw(const std::string& python, const std::string& script,
+          const std::vector<std::string>& arguments, const std::string& picture);
 
 }  // namespace softsoil

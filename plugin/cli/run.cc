@@ -163,7 +163,7 @@ void Run(const RunOptions& options) {
   const RunResult result = Drive(simulation, controls, options).ToTheEnd();
   WriteTerrain(simulation, options.folder);
   WriteSummary(options, result);
-  if (options.picture) DrawPictures(python, options.folder);
+  if (options.picture) DrawPictures(python, options.folder, {"terrain", "contact"});
   PrintSummary(options, result);
 }
 

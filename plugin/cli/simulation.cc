@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <cstring>
 #include <limits>
+#include <memory>
 #include <stdexcept>
 
 #include "terrain/input_error.h"
@@ -17,14 +19,27 @@ std::string OnOneLine(std::string message) {
   return message;
 }
 
-mjModel* Load(const std::string& file) {
+mjModel* Load(const std::string& file, const mjVFS* memory = nullptr) {
   char message[1000] = "";
-  mjModel* model = mj_loadXML(file.c_str(), nullptr, message, sizeof message);
+  mjModel* model = mj_loadXML(file.c_str(), memory, message, sizeof message);
   if (model == nullptr) throw InputError(file + ": " + OnOneLine(message));
   if (*message != '\0') {
     std::fprintf(stderr, "softsoil: %s: %s\n", file.c_str(), OnOneLine(message).c_str());
   }
   return model;
+}
+
+mjModel* LoadText(const std::string& name, const std::string& mjcf) {
+  const auto memory = std::make_unique<mjVFS>();  // 2 MB: too large for the stack
+  mj_defaultVFS(memory.get());
+  const std::string entry = "model.xml";
+  if (mj_makeEmptyFileVFS(memory.get(), entry.c_str(), static_cast<int>(mjcf.size())) != 0) {
+    throw std::runtime_error(name + ": cannot be kept in memory");
+  }
+  std::memcpy(memory->filedata[0], mjcf.data(), mjcf.size());
+  const auto done = [](mjVFS* vfs) { mj_deleteVFS(vfs); };
+  const std::unique_ptr<mjVFS, decltype(done)> freed(memory.get(), done);
+  return At(name, [&] { return Load(entry, memory.get()); });
 }
 
 void Require(int result) {
@@ -43,6 +58,9 @@ bool Diverged(const mjData& data) {
 
 Simulation::Simulation(const std::string& scene_file)
     : scene_file_(scene_file), model_(Load(scene_file)), data_(mj_makeData(model_)) {}
+
+Simulation::Simulation(const std::string& name, const std::string& mjcf)
+    : scene_file_(name), model_(LoadText(name, mjcf)), data_(mj_makeData(model_)) {}
 
 Simulation::~Simulation() {
   softsoil_detach(model_, data_);
@@ -69,14 +87,32 @@ std::vector<Actuator> Simulation::Actuators() const {
 }
 
 void Simulation::Step(const Controls& controls) {
+  controls.Apply(Time(), data_->ctrl);
+  Step();
+}
+
+void Simulation::Step() {
   const double time = Time();
-  controls.Apply(time, data_->ctrl);
   mj_step(model_, data_);
   if (Diverged(*data_)) {
     throw std::runtime_error("the model diverged at " + Shown(time) +
                              " s of simulated time; a shorter time step may help");
   }
   if (softsoil_wheel_count(data_) < 0) throw std::runtime_error(softsoil_error());
+}
+
+void Simulation::SetControl(const char* actuator, double value) {
+  data_->ctrl[IdOf(mjOBJ_ACTUATOR, actuator)] = value;
+}
+
+void Simulation::RemoveDamper(const char* joint) {
+  model_->dof_damping[model_->jnt_dofadr[IdOf(mjOBJ_JOINT, joint)]] = 0;
+}
+
+int Simulation::IdOf(mjtObj kind, const char* name) const {
+  const int id = mj_name2id(model_, kind, name);
+  if (id < 0) throw std::invalid_argument(scene_file_ + ": has no \"" + name + "\"");
+  return id;
 }
 
 // Position and velocity stage alone evaluate the passive forces; the solver, whose warm start would
@@ -91,10 +127,14 @@ void Simulation::EvaluateWheels() {
 
 std::vector<softsoilWheel> Simulation::Wheels() const {
   std::vector<softsoilWheel> wheels(softsoil_wheel_count(data_));
-  for (std::size_t i = 0; i < wheels.size(); ++i) {
-    Require(softsoil_wheel(data_, static_cast<int>(i), &wheels[i]));
-  }
+  for (std::size_t i = 0; i < wheels.size(); ++i) wheels[i] = Wheel(static_cast<int>(i));
   return wheels;
+}
+
+softsoilWheel Simulation::Wheel(int wheel) const {
+  softsoilWheel result;
+  Require(softsoil_wheel(data_, wheel, &result));
+  return result;
 }
 
 std::vector<softsoilContact> Simulation::Contacts(int wheel) const {
@@ -104,6 +144,12 @@ std::vector<softsoilContact> Simulation::Contacts(int wheel) const {
   };
   Require(softsoil_visit_contacts(data_, wheel, append, &contacts));
   return contacts;
+}
+
+double Simulation::Height(double x, double y) const {
+  double height = 0;
+  Require(softsoil_height(data_, x, y, &height));
+  return height;
 }
 
 softsoilGround Simulation::Ground() const {

@@ -13,8 +13,11 @@ namespace softsoil {
 
 class Simulation {
  public:
-  // A model without soil. Throws InputError.
+  // A model without soil. Throws InputError. MuJoCo compiles one model at a time: not to be called
+  // by two threads at once.
   explicit Simulation(const std::string& scene_file);
+  // The same from MJCF in memory, which messages call `name`.
+  Simulation(const std::string& name, const std::string& mjcf);
   ~Simulation();
   Simulation(const Simulation&) = delete;
   Simulation& operator=(const Simulation&) = delete;
@@ -29,17 +32,30 @@ class Simulation {
   // Drives as the controls say and steps. Throws std::runtime_error if the model diverges or has
   // lost its soil.
   void Step(const Controls& controls);
+  // The same with the controls as they are.
+  void Step();
+
+  // Sets the control of an actuator. Throws std::invalid_argument if there is none of that name.
+  void SetControl(const char* actuator, double value);
+  // Takes the damper out of a joint. Throws std::invalid_argument if there is none of that name.
+  void RemoveDamper(const char* joint);
 
   // Makes the results of the wheels those of the present instant. Without it they are those of the
   // last evaluation, up to a time step ago. Has no influence on the motion.
   void EvaluateWheels();
 
   std::vector<softsoilWheel> Wheels() const;
+  softsoilWheel Wheel(int wheel) const;
+  // The nodes of a wheel in contact, at the last evaluation.
   std::vector<softsoilContact> Contacts(int wheel) const;
+  // Height [m] of the surface.
+  double Height(double x, double y) const;
   softsoilGround Ground() const;
   void VisitSurface(softsoilVisitor visit, void* user) const;
 
  private:
+  int IdOf(mjtObj kind, const char* name) const;
+
   std::string scene_file_;
   mjModel* model_;
   mjData* data_;

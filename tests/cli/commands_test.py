@@ -65,7 +65,7 @@ class With(InAFolder):
 
 class Help(unittest.TestCase):
     def test_is_there_for_every_command(self):
-        for command in ([], ["run"], ["list"], ["with"], ["fit-tire"]):
+        for command in ([], ["run"], ["list"], ["with"], ["wong-reece"], ["fit-tire"]):
             done = softsoil(*command, "--help")
             self.assertEqual(done.returncode, 0)
             self.assertIn("Usage: softsoil", done.stdout)

@@ -86,7 +86,8 @@ class FitTire(InAFolder):
     def test_overwrites_only_by_force(self):
         out = self.write("mine.xml", "precious")
         self.assertRefused([LOADS, *TORUS, *ENTRY, "--out", out],
-                           f"{out} is there already; --force overwrites it")
+                           f"{out}: is there already; --force overwrites it")
+        self.assertRefused([LOADS, *TORUS, "--picture", out], f"{out}: is there already")
         self.assertEqual(out.read_text(), "precious")
         self.assertFits(LOADS, *TORUS, *ENTRY, "--out", out, "--force")
         self.assertIn("<tires>", out.read_text())

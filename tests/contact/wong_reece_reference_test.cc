@@ -63,7 +63,7 @@ TEST(WongReeceOracle, AgreesOnDrivenWheels) {
         const LoadedWheel c = Loaded(wheel, soil, share);
         SCOPED_TRACE(Named(c));
         for (double slip : {0.0, 0.02, 0.3, 1.0}) {
-          const MaxStressPlace place = soil.max_stress;
+          const MaxStress place = soil.max_stress;
           ExpectSame(c, DrivenAt(slip, c),
                      softsoil_reference::Driven(ForTheOracle(c), place.c_1, place.c_2, slip));
         }

@@ -178,6 +178,26 @@ TEST(WongReece, HasAClosedFormOnFrictionlessSoil) {
   EXPECT_EQ(rolling.torque, 0);
 }
 
+// Equation 2.8; beyond the peak the residual.
+TEST(WongReece, ShearFollowsAHumpIfTheSoilHasOne) {
+  LoadedWheel c = TilledYoloLoam(0.575, 18000);
+  const WongReece smooth = DrivenAt(0.2, c);
+  c.soil.shear.form = ShearForm::kHumped;
+  c.soil.shear.residual = 0.4;
+  const WongReece humped = DrivenAt(0.2, c);
+  EXPECT_NE(humped.thrust, smooth.thrust);
+  ExpectStressesToGiveTheForces(c, humped);
+  ExpectStressesToGiveTheForces(c, Towed(c));
+  for (const RimStress& s : StressAlongRim(c.wheel, c.soil, humped, 50)) {
+    const double theta_1 = humped.entry_angle;
+    const double x = c.wheel.radius / c.soil.shear.modulus *
+                     (theta_1 - s.angle - 0.8 * (std::sin(theta_1) - std::sin(s.angle)));
+    const double hump = x * std::exp(1 - x), share = x < 1 ? hump : 0.4 + 0.6 * hump;
+    const double strength = 7100 + s.pressure * std::tan(21.17 * kDegree);
+    EXPECT_NEAR(s.shear, strength * share, 1e-6) << s.angle;
+  }
+}
+
 TEST(WongReece, SlipDefinitionsAgree) {
   const double r = 0.9, spin = 1.5, v = 1;
   EXPECT_NEAR(SlipFromSae((r * spin - v) / v), 1 - v / (r * spin), 1e-15);

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <random>
 
-#include "tests/terrain/load_cycle.h"
+#include "terrain/load_cycle.h"
 #include "tests/terrain/test_soil.h"
 
 namespace softsoil {

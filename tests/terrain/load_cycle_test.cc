@@ -1,4 +1,4 @@
-#include "tests/terrain/load_cycle.h"
+#include "terrain/load_cycle.h"
 
 #include <gtest/gtest.h>
 

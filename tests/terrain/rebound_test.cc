@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "tests/terrain/load_cycle.h"
+#include "terrain/load_cycle.h"
 #include "tests/terrain/test_soil.h"
 
 namespace softsoil {

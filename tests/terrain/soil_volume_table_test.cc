@@ -8,7 +8,7 @@
 #include <cmath>
 
 #include "terrain/compaction.h"
-#include "tests/terrain/load_cycle.h"
+#include "terrain/load_cycle.h"
 
 namespace softsoil {
 namespace {

@@ -70,7 +70,8 @@ def grouped(values, gap):
 
 
 def read_rows(path):
-    with open(path, newline="") as file:
+    # Names in a model need not be UTF-8; summary.json holds them replaced in the same way.
+    with open(path, newline="", encoding="utf-8", errors="replace") as file:
         return list(csv.DictReader(file))
 
 

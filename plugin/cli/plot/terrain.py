@@ -39,7 +39,7 @@ SHORT_SIDE = 3.0  # [in] at least
 def read_tracks(path):
     """Centre of each wheel over time: name -> array of x, y [m]."""
     tracks = {}
-    with open(path, newline="") as file:
+    with open(path, newline="", encoding="utf-8", errors="replace") as file:
         for row in csv.DictReader(file):
             tracks.setdefault(row["wheel"], []).append((float(row["x [m]"]), float(row["y [m]"])))
     return {name: np.array(points) for name, points in tracks.items()}

@@ -1,0 +1,42 @@
+"""What the README claims, worked out from the table, and whether it holds."""
+import math
+
+from printed import LITERAL, PLUS_SD
+
+
+def root_mean_square(values):
+    return math.sqrt(sum(v * v for v in values) / len(values))
+
+
+def mean_size(values):
+    return sum(abs(v) for v in values) / len(values)
+
+
+def pulls(rows, least_slip, most_slip=math.inf):
+    """Measured drawbar pulls at slips above and up to a bound [%]."""
+    return [r for r in rows if r.kind == "experiment" and r.quantity == "drawbar pull"
+            and least_slip < r.slip <= most_slip]
+
+
+def claims(rows):
+    """Sentences with their numbers, and whether each holds (None: no bound is claimed)."""
+    high, low = pulls(rows, 20), pulls(rows, 0, 20)
+    ours, thesis = ([r.our_error for r in high], [r.thesis_error for r in high])
+    yield (f"drawbar pull above 20 % slip: mean error {mean_size(ours):.0f} % in {len(high)} cases "
+           f"(the thesis' own model {mean_size(thesis):.0f} %)", mean_size(ours) <= 20)
+    closer = sum(abs(a) < abs(b) for a, b in zip(ours, thesis))
+    yield f"closer than the thesis' own model in {closer} of {len(high)}", closer == len(high)
+    yield (f"below 20 % slip: mean error {mean_size([r.our_error for r in low]):.0f} % "
+           f"in {len(low)} cases", None)
+    for quantity in ("delta rho", "energy", "peak power"):
+        errors = [r.our_error for r in rows if r.kind == "soil volume" and r.quantity == quantity]
+        rms = root_mean_square(errors)
+        yield f"soil volume, Table 3.2, {quantity}: rms error {rms:.1f} %", rms <= 5
+    for soil in ("tilled", "firm"):
+        for reading in (PLUS_SD, LITERAL):
+            errors = [r.our_error for r in rows if r.kind == "Wong-Reece" and soil in r.case
+                      and r.note == reading]
+            worst, rms = max(abs(e) for e in errors), root_mean_square(errors)
+            bound = worst <= 12 if (soil, reading) == ("tilled", PLUS_SD) else None
+            yield (f"Wong-Reece, {soil}, {reading}: rms error {rms:.0f} %, worst {worst:.0f} %",
+                   bound)

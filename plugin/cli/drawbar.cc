@@ -1,0 +1,220 @@
+#include "plugin/cli/drawbar.h"
+
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+#include <mutex>
+
+#include "plugin/cli/drawbar_table.h"
+#include "plugin/cli/in_parallel.h"
+#include "plugin/cli/mujoco_messages.h"
+#include "plugin/cli/output_file.h"
+#include "plugin/cli/paths.h"
+#include "plugin/cli/picture.h"
+#include "plugin/cli/rigid_wheel.h"
+#include "plugin/cli/standard_output.h"
+#include "plugin/cli/torque_history.h"
+#include "terrain/input_error.h"
+#include "terrain/limits.h"
+#include "terrain/soil.h"
+
+namespace softsoil {
+namespace {
+
+constexpr std::size_t kMostCases = 200;
+constexpr Limits kLoadLimits = {0.1, 1e7};     // [N]
+constexpr Limits kSpeedLimits = {0.01, 100};   // [m/s]    slip is not defined below
+constexpr Limits kSlipLimits = {-0.99, 100};   // [-]      -1 is a locked wheel
+constexpr Limits kSpinLimits = {0.01, 1000};   // [rad/s]
+constexpr Limits kTorqueLimits = {1e-3, 1e7};  // [N m]
+constexpr Limits kTimeLimits = {0.1, 10000};   // [s]
+
+void Require(const char* option, Limits limits, const char* unit, double value) {
+  if (Contains(limits, value)) return;
+  throw InputError(std::string(option) + " must be " + InWords(limits) + unit + ", got " +
+                   Shown(value));
+}
+
+void RequireAll(const char* option, Limits limits, const char* unit,
+                const std::vector<double>& values) {
+  if (values.empty() || values.size() > kMostCases) {
+    throw InputError(std::string(option) + " must be 1 to " + std::to_string(kMostCases) +
+                     " numbers, got " + std::to_string(values.size()));
+  }
+  for (const double value : values) Require(option, limits, unit, value);
+}
+
+void Check(const DrawbarOptions& options) {
+  Require("--load", kLoadLimits, " N", options.load);
+  if (options.mode == BinMode::kTorque) {
+    Require("--torque", kTorqueLimits, " N m", options.torque);
+    Require("--time", kTimeLimits, " s", options.time);
+    RequireAll("--contact-times", {0, options.time}, " s", options.contact_times);
+    return;
+  }
+  Require("--speed", kSpeedLimits, " m/s", options.speed);
+  if (options.mode == BinMode::kSlip) RequireAll("--slip", kSlipLimits, "", options.slips);
+  if (options.mode == BinMode::kSpin) RequireAll("--spin", kSpinLimits, " rad/s", options.spins);
+}
+
+template <class Entry>
+Entry FindIn(Catalogue<Entry> catalogue, const std::string& kind,
+             const std::vector<std::string>& files, const std::string& name) {
+  catalogue.AddFolder(ShareFolder() + "/models/" + kind);
+  for (const std::string& file : files) catalogue.AddFile(file);
+  return catalogue.Find(name);
+}
+
+// Absolute, as the model may be opened from another folder.
+void AddFiles(const char* key, const std::vector<std::string>& files, SoilBin* bin) {
+  std::string list;
+  for (const std::string& file : files) {
+    list += (list.empty() ? "" : ",") + std::filesystem::absolute(file).string();
+  }
+  if (!list.empty()) bin->settings.emplace_back(key, list);
+}
+
+SoilBin BinOf(const DrawbarOptions& options, const Tire& tire) {
+  SoilBin bin;
+  bin.tire = options.tire;
+  bin.soil = options.soil;
+  bin.shape = tire.shape;
+  bin.load = options.load;
+  bin.mode = options.mode;
+  bin.settings = options.settings;
+  AddFiles("tire_file", options.tire_files, &bin);
+  AddFiles("soil_file", options.soil_files, &bin);
+  if (!options.bumps.empty()) bin.settings.emplace_back("bumps", options.bumps);
+  return bin;
+}
+
+// The rig with its soil, at rest above the ground. May be called by several threads.
+std::unique_ptr<Simulation> MakeRig(const SoilBin& bin, int soil_threads) {
+  static std::mutex one_at_a_time;  // as MuJoCo compiles models
+  const std::lock_guard<std::mutex> lock(one_at_a_time);
+  auto rig = std::make_unique<Simulation>("soil_bin.xml", SoilBinModel(bin));
+  rig->GiveSoil("threads=" + std::to_string(soil_threads));
+  return rig;
+}
+
+// Results of an earlier run would be taken for those of one that is killed.
+void RemoveOldResults(const std::string& folder) {
+  for (const char* name : {"soil_bin.xml", "drawbar.csv", "history.csv", "centre_line.csv",
+                           "wong_reece.csv", "rim_stress.csv", "wong_reece.json", "summary.json",
+                           "drawbar.png", "centre_line.png", "history.png"}) {
+    std::filesystem::remove(folder + "/" + name);
+  }
+}
+
+void WriteModel(const DrawbarOptions& options, const SoilBin& bin) {
+  OutputFile file(options.folder + "/soil_bin.xml");
+  file.Write(SoilBinModel(bin));
+  file.Finish();
+}
+
+// The cases of a curve: first the freely rolling wheel, then those that are asked for.
+class Curve {
+ public:
+  Curve(const DrawbarOptions& options, const SoilBin& bin) : options_(options), bin_(bin) {
+    freely_rolling_ = bin;
+    freely_rolling_.mode = BinMode::kSlip;
+  }
+
+  DrawbarResult Run() {
+    states_.resize(1 + Asked().size());
+    InParallel(static_cast<int>(states_.size()), options_.threads, [this](int i) { RunCase(i); });
+    DrawbarResult result;
+    const softsoilWheel& freely = states_[0].wheel;
+    result.rolling = {freely.slip_ratio, freely.forward_speed / freely.spin,
+                      freely.motion_resistance};
+    for (std::size_t i = 1; i < states_.size(); ++i) {
+      const softsoilWheel& w = states_[i].wheel;
+      const double slip = result.rolling.rolling_radius * w.spin / w.forward_speed - 1;
+      result.cases.push_back({Asked()[i - 1], states_[i], slip});
+    }
+    return result;
+  }
+
+ private:
+  const std::vector<double>& Asked() const {
+    return options_.mode == BinMode::kSlip ? options_.slips : options_.spins;
+  }
+
+  void RunCase(int i) {
+    BinDrive drive;
+    if (i == 0 || options_.mode == BinMode::kSlip) drive.speed = options_.speed;
+    if (i > 0) {
+      const double asked = Asked()[i - 1];
+      drive.spin = options_.mode == BinMode::kSlip
+                       ? (1 + asked) * options_.speed / bin_.shape.radius
+                       : asked;
+    }
+    const auto rig = MakeRig(i == 0 ? freely_rolling_ : bin_, 1);
+    states_[i] = DriveToSteadyState(drive, bin_.shape.radius, options_.load, rig.get());
+  }
+
+  const DrawbarOptions& options_;
+  const SoilBin& bin_;
+  SoilBin freely_rolling_;
+  std::vector<SteadyState> states_;
+};
+
+void SayWhatIsNotSteady(const DrawbarResult& result) {
+  for (const DrawbarCase& c : result.cases) {
+    if (c.state.steady) continue;
+    std::fprintf(stderr, "softsoil: warning: not steady after %.1f m: slip %.3g\n",
+                 c.state.distance, c.state.wheel.slip_ratio);
+  }
+}
+
+void RunCurve(const DrawbarOptions& options, const SoilBin& bin, const WongReeceResults& rigid) {
+  const DrawbarResult result = Curve(options, bin).Run();
+  SayWhatIsNotSteady(result);
+  CentreLines lines;
+  for (const DrawbarCase& c : result.cases) {
+    lines.emplace_back(c.asked, c.state.centre_line);
+  }
+  WriteModel(options, bin);
+  const bool by_slip = options.mode == BinMode::kSlip;
+  WriteCentreLineCsv(options.folder, by_slip ? "slip [-]" : "spin [rad/s]", lines);
+  if (options.wong_reece) WriteWongReece(rigid, options.folder);
+  WriteDrawbarSummary(options, bin.shape.radius, &result.rolling);
+  WriteDrawbarCsv(options.folder, result.cases);
+  PrintDrawbar(options, bin.shape.radius, result);
+}
+
+void RunHistory(const DrawbarOptions& options, const SoilBin& bin) {
+  const auto rig = MakeRig(bin, options.threads);
+  const CentreLines lines = DriveByTorque(options, rig.get());
+  WriteModel(options, bin);
+  WriteCentreLineCsv(options.folder, "time [s]", lines);
+  WriteDrawbarSummary(options, bin.shape.radius, nullptr);
+  const softsoilWheel w = rig->Wheel(0);
+  std::printf("%s on %s, %g N, driven by %g N m: after %g s %.3f m/s at %.1f %% slip\n\n",
+              options.tire.c_str(), options.soil.c_str(), options.load, options.torque,
+              options.time, w.forward_speed, 100 * w.slip_ratio);
+}
+
+}  // namespace
+
+void Drawbar(const DrawbarOptions& options) {
+  Check(options);
+  const Soil soil = FindIn(SoilCatalogue(), "soils", options.soil_files, options.soil);
+  const Tire tire = FindIn(TireCatalogue(), "tires", options.tire_files, options.tire);
+  const SoilBin bin = BinOf(options, tire);
+  WongReeceResults rigid;
+  if (options.wong_reece) rigid = RigidWheelBeside(tire, soil, options);
+  const std::string python = options.picture ? PythonThatPlots() : "";
+  HandleMujocoMessages();
+  MakeRig(bin, 1);  // refuses bad settings
+  PrepareFolder(options.folder);
+  RemoveOldResults(options.folder);
+  const bool curve = options.mode != BinMode::kTorque;
+  curve ? RunCurve(options, bin, rigid) : RunHistory(options, bin);
+  if (options.picture) DrawPictures(python, options.folder, {"drawbar"});
+  std::printf("Results in %s: %s, centre_line.csv, soil_bin.xml%s\n", options.folder.c_str(),
+              curve ? "drawbar.csv" : "history.csv", options.picture ? ", pictures" : "");
+  FlushStandardOutput();
+}
+
+}  // namespace softsoil

@@ -1,0 +1,26 @@
+// What softsoil drawbar writes of steady motion.
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "plugin/cli/drawbar.h"
+
+namespace softsoil {
+
+// drawbar.csv, one row per case.
+void WriteDrawbarCsv(const std::string& folder, const std::vector<DrawbarCase>& cases);
+
+// centre_line.csv. Each line has a name, the value of the column `key` [unit] in its rows.
+using CentreLines = std::vector<std::pair<double, std::vector<CentreLinePoint>>>;
+void WriteCentreLineCsv(const std::string& folder, const std::string& key,
+                        const CentreLines& lines);
+
+// summary.json; `rolling` is null in mode torque.
+void WriteDrawbarSummary(const DrawbarOptions& options, double radius, const FreeRolling* rolling);
+
+// On stdout, not flushed.
+void PrintDrawbar(const DrawbarOptions& options, double radius, const DrawbarResult& result);
+
+}  // namespace softsoil

@@ -1,0 +1,194 @@
+#include "plugin/cli/soil_identify.h"
+
+#include <cstdio>
+#include <filesystem>
+#include <map>
+#include <vector>
+
+#include "plugin/cli/output_file.h"
+#include "plugin/cli/paths.h"
+#include "plugin/cli/picture.h"
+#include "plugin/cli/soil_report.h"
+#include "plugin/cli/standard_output.h"
+#include "terrain/input_error.h"
+
+namespace softsoil {
+namespace {
+
+namespace fs = std::filesystem;
+
+Catalogue<Soil> ShippedSoils() {
+  Catalogue<Soil> catalogue = SoilCatalogue();
+  catalogue.AddFolder(ShareFolder() + "/models/soils");
+  return catalogue;
+}
+
+// Given all together or not at all.
+bool AreGiven(const std::vector<std::pair<const char*, std::optional<double>>>& options) {
+  std::string given, missing;
+  for (const auto& [name, value] : options) {
+    std::string& list = value ? given : missing;
+    list += (list.empty() ? "" : ", ") + std::string(name);
+  }
+  if (!given.empty() && !missing.empty()) throw InputError(given + " needs " + missing + " too");
+  return missing.empty();
+}
+
+void AddComposition(const SoilOptions& options, SoilEvidence* evidence) {
+  const bool shares =
+      AreGiven({{"--clay", options.clay}, {"--silt", options.silt}, {"--sand", options.sand}});
+  if (options.uscs && shares) throw InputError("--uscs and --clay, --silt, --sand exclude another");
+  if (options.uscs) {
+    evidence->uscs = &FindUscsSoil(*options.uscs);
+    evidence->composition = evidence->uscs->composition;
+  } else if (shares) {
+    evidence->composition = CompositionOf({*options.clay, *options.silt, *options.sand});
+  }
+}
+
+void AddState(const SoilOptions& options, SoilEvidence* evidence) {
+  evidence->bulk_density = options.bulk_density;
+  if (AreGiven({{"--saturation", options.saturation},
+                {"--reference-saturation", options.reference_saturation}})) {
+    evidence->saturation = {*options.saturation, *options.reference_saturation};
+  }
+  if (options.like) {
+    evidence->like = At("--like", [&] { return ShippedSoils().Find(*options.like); });
+  }
+}
+
+// "tests.csv: 40 rows, width 0.05, 0.3 m, rms residual 2100 Pa"
+template <class Fit>
+Tested<Fit> Summarised(const std::string& path, const Fit& fit, const std::string& kind,
+                       const std::vector<double>& values, const std::string& unit) {
+  std::vector<std::string> words;
+  for (double value : values) words.push_back(Rounded(value, 4));
+  const std::string file = fs::path(path).filename().string();
+  return {fit, file,
+          file + ": " + std::to_string(fit.fitted.size()) + " rows, " + kind + " " + Listed(words) +
+              " " + unit + ", rms residual " + Rounded(fit.rms, 3) + " Pa"};
+}
+
+SoilTests AddTests(const SoilOptions& options, SoilEvidence* evidence) {
+  SoilTests tests;
+  if (options.plate) {
+    tests.plate = ReadPlateSinkage(*options.plate);
+    const BearingForm form = options.reece ? BearingForm::kReece : BearingForm::kBekker;
+    const BearingFit fit = At(*options.plate, [&] { return FitBearing(*tests.plate, form); });
+    evidence->bearing = Summarised(*options.plate, fit, "width", fit.widths, "m");
+    evidence->is_frictional = options.frictional;
+  } else if (options.reece || options.frictional) {
+    throw InputError(std::string(options.reece ? "--reece" : "--frictional") +
+                     " says how to read a plate-sinkage test: give --plate too");
+  }
+  if (options.shear) {
+    tests.shear = ReadShearTest(*options.shear);
+    const ShearFit fit = At(*options.shear, [&] { return FitShear(*tests.shear); });
+    evidence->shear = Summarised(*options.shear, fit, "normal stress", fit.normal_stresses, "Pa");
+  }
+  return tests;
+}
+
+// What would give each element that is missing.
+std::string Remedies(const SoilEvidence& evidence, const std::vector<std::string>& missing) {
+  const std::map<std::string, std::string> remedies = {
+      {"bearing", evidence.bearing ? "a second plate width, or --frictional to take k_c = 0"
+                                   : "--plate FILE or --like SOIL"},
+      {"shear", "--shear FILE, --uscs, --clay --silt --sand or --like SOIL"},
+      {"compaction", evidence.composition ? "--like SOIL, for its times"
+                                          : "--uscs or --clay --silt --sand, and --like SOIL"},
+      {"stress", "--like SOIL"}};
+  std::string text;
+  for (const std::string& element : missing) {
+    text += (text.empty() ? "<" : "; <") + element + "> needs " + remedies.at(element);
+  }
+  return text;
+}
+
+// A setting of softsoil run holds names separated by commas, and settings by blanks.
+void RequireName(const std::string& name) {
+  if (name.empty()) throw InputError("--out needs --name: the name of the soil");
+  if (name.find_first_of(" \t\n,;=") != std::string::npos) {
+    throw InputError("--name must hold no blank, comma, semicolon or =, got \"" + name + "\"");
+  }
+  const Catalogue<Soil> shipped = ShippedSoils();
+  for (const Soil& known : shipped.entries()) {
+    if (known.name == name) throw InputError("--name " + name + ": this name is taken already");
+  }
+}
+
+struct Outputs {
+  std::string xml, picture, json;  // empty: not wanted
+};
+
+Outputs OutputsOf(const SoilOptions& options) {
+  Outputs outputs;
+  if (options.out) outputs.xml = *options.out;
+  const bool tested = options.plate || options.shear;
+  if (options.picture && !tested) throw InputError("--picture needs --plate or --shear");
+  if (options.picture) {
+    outputs.picture = *options.picture;
+  } else if (options.out && tested && !options.no_picture) {
+    outputs.picture = fs::path(*options.out).replace_extension(".png");
+  }
+  const std::string beside = outputs.picture.empty() ? outputs.xml : outputs.picture;
+  if (!beside.empty()) outputs.json = fs::path(beside).replace_extension(".json");
+  for (const std::string& file : {outputs.xml, outputs.picture, outputs.json}) {
+    if (file.empty()) continue;
+    if (fs::is_directory(file)) throw InputError(file + ": is a folder, not a file");
+    if (fs::exists(file) && !options.force) {
+      throw InputError(file + ": is there already; --force overwrites it");
+    }
+    const fs::path folder = fs::path(file).parent_path();
+    PrepareFolder(folder.empty() ? "." : folder.string());
+  }
+  return outputs;
+}
+
+void WriteWhole(const std::string& path, const std::string& text) {
+  OutputFile file(path);
+  file.Write(text);
+  file.Finish();
+}
+
+}  // namespace
+
+void IdentifySoil(const SoilOptions& options) {
+  SoilEvidence evidence;
+  AddComposition(options, &evidence);
+  AddState(options, &evidence);
+  const SoilTests tests = AddTests(options, &evidence);
+  IdentifiedSoil soil = Identify(evidence);
+  if (soil.findings.empty()) {
+    throw InputError(
+        "nothing is known of the soil: give --uscs, --clay --silt --sand, --plate, "
+        "--shear or --like");
+  }
+  soil.entry.soil.name = options.name;
+  soil.entry.soil.description = options.description;
+  if (options.out) {
+    RequireName(options.name);
+    if (!soil.missing.empty()) {
+      throw InputError("the entry is incomplete: " + Remedies(evidence, soil.missing));
+    }
+  }
+  const Outputs outputs = OutputsOf(options);
+  const std::string python = outputs.picture.empty() ? "" : PythonThatPlots();
+
+  std::printf("%s", TableOf(soil, evidence).c_str());
+  if (!soil.missing.empty()) {
+    std::printf("\nfor an entry besides: %s\n", Remedies(evidence, soil.missing).c_str());
+  }
+  if (!outputs.json.empty()) WriteWhole(outputs.json, JsonOf(soil, evidence, tests));
+  if (!outputs.picture.empty()) {
+    Draw(python, "soil_tests.py", {outputs.json, outputs.picture}, outputs.picture);
+  }
+  if (!outputs.xml.empty()) WriteWhole(outputs.xml, SoilXml(soil.entry));
+  if (!outputs.json.empty()) std::printf("\n");
+  for (const std::string& file : {outputs.xml, outputs.picture, outputs.json}) {
+    if (!file.empty()) std::printf("written: %s\n", file.c_str());
+  }
+  FlushStandardOutput();
+}
+
+}  // namespace softsoil

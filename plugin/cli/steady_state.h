@@ -1,0 +1,44 @@
+// Drives the rig of the soil bin until nothing changes any more.
+//
+// The wheel is set down and settles, speeds rise linearly within half a second, and then means over
+// windows of time are compared. A window is half a second, in which the sprung mass swings once, or
+// the time in which the wheel rolls half its radius, if that is longer. The motion is steady as
+// soon as from one window to the next the pull changes by less than 1 % or 0.1 % of the load,
+// and the sinkage and the forward speed by less than 1 %. What is reported is the last window.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "plugin/cli/centre_line.h"
+#include "plugin/cli/simulation.h"
+
+namespace softsoil {
+
+// What is prescribed of the rig's motion.
+struct BinDrive {
+  std::optional<double> speed;  // [m/s]    forward, > 0; none: free
+  std::optional<double> spin;   // [rad/s]  >= 0; none: the wheel rolls freely
+};
+
+struct SteadyState {
+  softsoilWheel wheel = {};    // means; centre, force and torque_at_centre at the end
+  double sunk_volume = 0;      // [m^3]  of the ground in contact
+  double compacted_share = 0;  // [-]    of the rut's volume: what is not pushed aside
+  bool steady = false;         // else the longest distance was reached first
+  double distance = 0;         // [m]    driven
+  std::vector<CentreLinePoint> centre_line;
+};
+
+// `radius` [m] and `load` [N] of the wheel; the simulation has soil and has not been stepped.
+// Throws InputError if the wheel sinks to its axle.
+SteadyState DriveToSteadyState(const BinDrive& drive, double radius, double load,
+                               Simulation* simulation);
+
+// Lets the wheel sink in, without drive, until its load is its weight. Throws as above.
+void Settle(double load, Simulation* simulation);
+
+// One time step. Throws InputError if the wheel sinks to its axle, at the height 0.
+void StepUnlessSunk(double load, Simulation* simulation);
+
+}  // namespace softsoil

@@ -1,0 +1,164 @@
+// softsoil wong-reece: what a tire would do on soil if it were rigid, by plastic equilibrium.
+#include <cmath>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "contact/tire.h"
+#include "plugin/cli/commands.h"
+#include "plugin/cli/number_range.h"
+#include "plugin/cli/output_file.h"
+#include "plugin/cli/paths.h"
+#include "plugin/cli/picture.h"
+#include "plugin/cli/wong_reece_table.h"
+#include "terrain/input_error.h"
+#include "terrain/limits.h"
+#include "terrain/soil.h"
+
+namespace softsoil {
+namespace {
+
+constexpr char kSae[] = "sae", kWongReece[] = "wong-reece";  // definitions of slip
+
+// The command line.
+struct Line {
+  std::string tire, soil, folder;
+  std::vector<std::string> tire_files, soil_files;
+  double load = 0;                      // [N]
+  std::optional<double> width;          // [m]  the tire's, if not given
+  std::optional<double> c_1, c_2;       // [-]  the soil's, if not given
+  std::string slip, definition = kSae;  // driven, if given
+  bool towed = false, no_picture = false;
+};
+
+template <class Entry>
+Entry Find(Catalogue<Entry> catalogue, const std::string& folder,
+           const std::vector<std::string>& files, const std::string& name) {
+  catalogue.AddFolder(ShareFolder() + "/models/" + folder);
+  for (const std::string& file : files) catalogue.AddFile(file);
+  return catalogue.Find(name);
+}
+
+void CheckPositive(const std::string& option, const std::string& unit, double value) {
+  if (value > 0 && std::isfinite(value)) return;
+  throw InputError(option + " must be > 0 " + unit + ", got " + Shown(value));
+}
+
+void Check(const Line& line) {
+  CheckPositive("--load", "N", line.load);
+  if (line.width) CheckPositive("--width", "m", *line.width);
+  if (line.slip.empty() && !line.towed) {
+    throw InputError("--slip for a driven wheel or --towed is required");
+  }
+  if (line.c_1.has_value() != line.c_2.has_value()) {
+    throw InputError("--c1 and --c2 must be given together");
+  }
+}
+
+// Slip i = 1 - v/(r w) of each driven wheel. The bounds catch a slip given in percent.
+std::vector<double> Slips(const Line& line) {
+  if (line.slip.empty()) return {};
+  constexpr Limits kSlip = {0, 1};
+  std::vector<double> slips = NumbersIn("--slip", line.slip);
+  for (double& slip : slips) {
+    if (!Contains(kSlip, slip)) {
+      throw InputError("--slip must be " + InWords(kSlip) + ", got " + Shown(slip));
+    }
+    if (line.definition == kWongReece && slip == 1) {
+      throw InputError("--slip must be < 1 where the wheel is not to spin on the spot, got 1");
+    }
+    if (line.definition == kSae) slip = SlipFromSae(slip);
+  }
+  return slips;
+}
+
+// A towed wheel needs none.
+MaxStress MaxStressOn(const Soil& soil, const Line& line) {
+  if (line.c_1) return {*line.c_1, *line.c_2};
+  if (soil.max_stress) return *soil.max_stress;
+  if (line.slip.empty()) return {};
+  throw InputError("soil \"" + soil.name + "\" has no <max_stress c_1=... c_2=...>, where it " +
+                   "presses most on a driven wheel; give --c1 and --c2");
+}
+
+SoilUnderRim UnderRim(const Soil& soil, double width, const MaxStress& max_stress) {
+  return {BearingModulus(soil.bearing, width), soil.bearing.n, soil.shear, max_stress};
+}
+
+WongReeceResults Solve(const Line& line) {
+  const Tire tire = Find(TireCatalogue(), "tires", line.tire_files, line.tire);
+  const Soil soil = Find(SoilCatalogue(), "soils", line.soil_files, line.soil);
+  const RigidWheel wheel = {tire.shape.radius, line.width.value_or(tire.shape.width)};
+  const SoilUnderRim under_rim = UnderRim(soil, wheel.width, MaxStressOn(soil, line));
+  WongReeceResults results = {tire.name, soil.name, wheel, under_rim, line.load, {}};
+  if (line.towed) {
+    results.rolling.push_back(At("towed", [&] { return TowedWheel(wheel, under_rim, line.load); }));
+  }
+  for (const double slip : Slips(line)) {
+    results.rolling.push_back(At("slip ratio " + Shown(SaeFromSlip(slip)),
+                                 [&] { return DrivenWheel(wheel, under_rim, line.load, slip); }));
+  }
+  return results;
+}
+
+// Nothing is written before everything is solved.
+void Run(const Line& line) {
+  Check(line);
+  const WongReeceResults results = Solve(line);
+  const std::string python = line.no_picture ? "" : PythonThatPlots();
+  PrepareFolder(line.folder);
+  for (const char* name :
+       {"wong_reece.csv", "rim_stress.csv", "wong_reece.json", "wong_reece.png"}) {
+    std::filesystem::remove(line.folder + "/" + name);  // of an earlier run
+  }
+  WriteWongReece(results, line.folder);
+  if (!line.no_picture) DrawPictures(python, line.folder, {"wong_reece"});
+  PrintWongReece(results);
+}
+
+void AddInputs(CLI::App* command, Line* line) {
+  command->add_option("--tire", line->tire, "Tire by its name in the catalogue")->required();
+  command->add_option("--soil", line->soil, "Soil by its name in the catalogue")->required();
+  command->add_option("--load", line->load, "Load on the wheel [N]")->required();
+  command->add_option("--out", line->folder, "Folder for the results")->required();
+  command->add_option("--tire-file", line->tire_files, "XML file with more tires")
+      ->allow_extra_args(false);
+  command->add_option("--soil-file", line->soil_files, "XML file with more soils")
+      ->allow_extra_args(false);
+  command->add_option("--width", line->width, "Width of the wheel [m]; if left out the tire's");
+  command->add_option(
+      "--c1", line->c_1,
+      "Soil presses most at (c1 + c2 i) of the entry angle; if left out the soil's");
+  command->add_option("--c2", line->c_2, "See --c1");
+  command->add_flag("--no-picture", line->no_picture,
+                    "Do not draw, which needs python3 with matplotlib");
+}
+
+void AddRolling(CLI::App* command, Line* line) {
+  command->add_option("--slip", line->slip,
+                      "Slips, 0 to 1, of the driven wheel: first:last:step or a list, 0.05,0.1");
+  command
+      ->add_option("--slip-definition", line->definition,
+                   "sae: (r w - v)/v, as in all reports; wong-reece: i = 1 - v/(r w)")
+      ->check(CLI::IsMember({kSae, kWongReece}))
+      ->capture_default_str();
+  command->add_flag("--towed", line->towed, "The wheel towed without torque; alone or besides");
+}
+
+}  // namespace
+
+void AddWongReeceCommand(CLI::App& program) {
+  CLI::App* command = program.add_subcommand(
+      "wong-reece", "Pull, torque and sinkage of a rigid wheel on soil by Wong and Reece (1967)");
+  command->footer(
+      "For example: softsoil wong-reece --tire 18.4R38_85kPa --soil tilled_yolo_loam --load 18000 "
+      "--slip 0.05:0.7:0.05 --out wr");
+  auto line = std::make_shared<Line>();
+  AddInputs(command, line.get());
+  AddRolling(command, line.get());
+  command->callback([line] { Run(*line); });
+}
+
+}  // namespace softsoil

@@ -1,0 +1,277 @@
+#include "terrain/soil_identification.h"
+
+#include <algorithm>
+
+#include "terrain/constants.h"
+#include "terrain/input_error.h"
+#include "terrain/pedotransfer.h"
+
+namespace softsoil {
+namespace {
+
+constexpr double kDegree = kPi / 180;
+constexpr char kFit[] = "fit";
+
+class Identification {
+ public:
+  explicit Identification(const SoilEvidence& evidence) : evidence_(evidence) {
+    if (!evidence_.like) return;
+    like_ = *evidence_.like;
+    // The catalogue says how far moisture moves the curve, not by which slope and saturation.
+    like_.compaction.reference_density += like_.compaction.moisture_shift;
+    like_.compaction.moisture_shift = 0;
+    soil() = like_;
+    soil().layers.clear();
+  }
+
+  IdentifiedSoil Result() {
+    Indices();
+    Bearing();
+    Shear();
+    Compaction();
+    OfAnother("stress");
+    Companions();
+    return std::move(result_);
+  }
+
+ private:
+  Soil& soil() { return result_.entry.soil; }
+  std::string& SourceOf(const std::string& element) { return result_.entry.source[element]; }
+
+  void Report(Finding finding) { result_.findings.push_back(std::move(finding)); }
+
+  const Attribute<Soil>& Find(const std::string& element, const std::string& name) {
+    const auto& table = SoilAttributes(soil().bearing.form);
+    return *std::find_if(table.begin(), table.end(), [&](const Attribute<Soil>& a) {
+      return a.element == element && a.name == name;
+    });
+  }
+
+  // Stores a number of the soil, in the unit of the file, and reports it.
+  void Set(const std::string& element, const std::string& name, Finding finding) {
+    const Attribute<Soil>& a = Find(element, name);
+    a.field(soil()) = finding.value * a.to_si;
+    finding.parameter = element + " " + name;
+    finding.unit = a.unit;
+    Report(std::move(finding));
+  }
+
+  void SetFitted(const std::string& element, const std::string& name, const Fitted& fitted,
+                 const std::string& from, const std::string& warning = "") {
+    const double to_si = Find(element, name).to_si;
+    Set(element, name,
+        {"", fitted.value / to_si, "", fitted.confidence / to_si, kFit, from, warning});
+  }
+
+  Finding Estimated(const std::string& result) const {
+    const Estimate estimate = Apply(result, *evidence_.composition);
+    return {result, estimate.value, "", 0, estimate.how, estimate.made_from, estimate.warning};
+  }
+
+  // The numbers of an element as of the soil `like`; missing without one.
+  void OfAnother(const std::string& element, const std::vector<std::string>& names = {}) {
+    if (!evidence_.like) {
+      auto& missing = result_.missing;
+      if (missing.empty() || missing.back() != element) missing.push_back(element);
+      return;
+    }
+    for (const Attribute<Soil>& a : SoilAttributes(like_.bearing.form)) {
+      if (a.element != element) continue;
+      if (!names.empty() && std::find(names.begin(), names.end(), a.name) == names.end()) continue;
+      Set(element, a.name, {"", a.field(like_) / a.to_si, "", 0, "as of another", like_.name, ""});
+    }
+    if (names.empty()) SourceOf(element) = AsOfAnother();
+  }
+  std::string AsOfAnother() const { return "not identified: as of " + like_.name; }
+
+  void Indices();
+  void Bearing();
+  void Shear();
+  void Compaction();
+  void VirginCurve();
+  void Moisten();
+  void InitialDensity();
+  void Companions();
+
+  const SoilEvidence& evidence_;
+  Soil like_;  // if the evidence has one
+  IdentifiedSoil result_;
+};
+
+// As printed for a class, by relation from shares.
+void Identification::Indices() {
+  if (!evidence_.composition) return;
+  const Composition& soil = *evidence_.composition;
+  const UscsSoil* uscs = evidence_.uscs;
+  result_.composition = InWords(soil.texture);
+  if (uscs != nullptr) {
+    result_.composition = std::string("USCS ") + uscs->name + ", " + result_.composition;
+  }
+  for (const auto& [name, value] : {std::pair("clay index", soil.clay_index),
+                                    std::pair("grain size index", soil.grain_size_index)}) {
+    Finding finding = Estimated(name);
+    if (uscs != nullptr) finding = {name, value, "", 0, "printed", uscs->source, ""};
+    Report(finding);
+  }
+}
+
+void Identification::Bearing() {
+  if (!evidence_.bearing) return OfAnother("bearing");
+  const auto& [fit, from, summary] = *evidence_.bearing;
+  const bool reece = fit.form == BearingForm::kReece;
+  soil().bearing.form = fit.form;
+  const char* cohesive = reece ? "k_1" : "k_c";
+  const char* frictional = reece ? "k_2" : "k_phi";
+  if (fit.basis == CohesiveModulus::kUnknown && !evidence_.is_frictional) {
+    result_.missing.emplace_back("bearing");
+    Report({"bearing k_e", fit.frictional.value, "N/m^(n+2)", fit.frictional.confidence, kFit, from,
+            "k_c/b + k_phi, for plates of " + Shown(fit.widths[0]) +
+                " m alone: one width does not tell k_c from k_phi"});
+  } else if (fit.basis == CohesiveModulus::kUnknown) {
+    Set("bearing", cohesive, {"", 0, "", 0, "assumed", "soil said to be frictional", ""});
+    SetFitted("bearing", frictional, fit.frictional, from,
+              "one plate, " + Shown(fit.widths[0]) + " m: holds for that width");
+  } else if (fit.basis == CohesiveModulus::kHeldAtZero) {
+    Set("bearing", cohesive,
+        {"", 0, "", 0, "held at 0", from,
+         "the readings ask for " + Rounded(fit.free_cohesive, 4) + "; fitted again without"});
+    SetFitted("bearing", frictional, fit.frictional, from);
+  } else {
+    SetFitted("bearing", cohesive, fit.cohesive, from);
+    SetFitted("bearing", frictional, fit.frictional, from);
+  }
+  SetFitted("bearing", "n", fit.exponent, from);
+  SourceOf("bearing") = "least squares of plate-sinkage tests, " + summary;
+}
+
+void Identification::Shear() {
+  if (!evidence_.shear && !evidence_.composition) return OfAnother("shear");
+  soil().shear = {};  // no hump
+  if (!evidence_.shear) {
+    Set("shear", "cohesion", Estimated("cohesion"));
+    Set("shear", "friction_angle_deg", Estimated("friction angle"));
+    Set("shear", "modulus", Estimated("shear modulus"));
+    SourceOf("shear") = "relations fitted to soils of Madsen 2014, 3.3, at " + result_.composition;
+    return;
+  }
+  const auto& [fit, from, summary] = *evidence_.shear;
+  const auto held = [&](StrengthBound bound, double factor) {
+    if (fit.bound != bound) return std::string();
+    return "held at 0: the readings ask for " + Rounded(fit.free_value / factor, 4) +
+           "; fitted again without";
+  };
+  std::string curves = fit.is_short ? "the slip ends before 2 K: the strength is extrapolated" : "";
+  if (fit.falls_after_peak) {
+    curves += std::string(curves.empty() ? "" : "; ") +
+              "the stress falls after its peak, which this law does not";
+  }
+  SetFitted("shear", "cohesion", fit.cohesion, from, held(StrengthBound::kNoCohesion, 1));
+  SetFitted("shear", "friction_angle_deg", fit.friction_angle, from,
+            held(StrengthBound::kNoFriction, kDegree));
+  SetFitted("shear", "modulus", fit.modulus, from, curves);
+  SourceOf("shear") = "least squares of shear tests, " + summary;
+}
+
+void Identification::Compaction() {
+  if (!evidence_.composition && evidence_.saturation) {
+    throw InputError("a saturation needs the composition of the soil, which gives its slope");
+  }
+  if (!evidence_.composition && !evidence_.like) {
+    if (evidence_.bulk_density) {
+      throw InputError(
+          "a bulk density alone gives no virgin curve: the composition of the soil or "
+          "a similar soil must be known too");
+    }
+    result_.missing.emplace_back("compaction");
+    return;
+  }
+  if (evidence_.composition) {
+    VirginCurve();
+  } else {
+    OfAnother("compaction", {"index", "reference_density", "reference_stress", "rebound_index"});
+    SourceOf("compaction") = AsOfAnother();
+  }
+  Moisten();
+  InitialDensity();
+  if (evidence_.composition && evidence_.like) {
+    SourceOf("compaction") += "; times as of " + like_.name;
+  }
+  OfAnother("compaction", {"compression_time", "rebound_time"});
+}
+
+void Identification::VirginCurve() {
+  soil().compaction.moisture_shift = 0;
+  Set("compaction", "index", Estimated("compression index"));
+  Finding density = Estimated("reference density");
+  if (evidence_.uscs != nullptr && *evidence_.uscs->caution != '\0') {
+    density.warning += (density.warning.empty() ? "" : "; ") + std::string(evidence_.uscs->caution);
+  }
+  Set("compaction", "reference_density", density);
+  Set("compaction", "reference_stress",
+      {"", kReferenceStress, "", 0, "printed", "Madsen 2014, 3.3", ""});
+  Set("compaction", "rebound_index", Estimated("rebound index"));
+  SourceOf("compaction") = "relations of Madsen 2014, 3.3 (rebound index: equation 3.9; others " +
+                           std::string("fitted to soils printed there), at ") + result_.composition;
+}
+
+void Identification::Moisten() {
+  if (!evidence_.saturation) return;
+  const auto [actual, reference] = *evidence_.saturation;
+  for (double share : {actual, reference}) {
+    if (share >= 0 && share <= 1) continue;
+    throw InputError("a saturation must be 0 to 1, got " + Shown(share));
+  }
+  Finding slope = Estimated("moisture slope");
+  result_.entry.moisture = {slope.value, actual, reference};
+  soil().compaction.moisture_shift = slope.value * (actual - reference);
+  slope.parameter = "moisture slope";
+  slope.unit = "kg/m^3";
+  Report(slope);
+  Report({"moisture shift", soil().compaction.moisture_shift, "kg/m^3", 0, "equation 3.5",
+          "saturation " + Shown(actual) + ", reference " + Shown(reference), ""});
+  SourceOf("moisture") =
+      "slope: line through CH and ML of Madsen 2014, 3.3, at " + result_.composition;
+}
+
+void Identification::InitialDensity() {
+  softsoil::Compaction& compaction = soil().compaction;
+  const double virgin = compaction.reference_density + compaction.moisture_shift;
+  const std::string stress = Shown(compaction.reference_stress / 1e3) + " kPa";
+  if (evidence_.bulk_density) {
+    constexpr double kQuartz = 2650;  // [kg/m^3]
+    const double density = *evidence_.bulk_density;
+    const double least = LeastInitialDensity(compaction);
+    if (!(density >= least && density < kQuartz)) {
+      throw InputError("the bulk density must be " + Rounded(least, 6) +
+                       " kg/m^3, where the virgin curve has 100 Pa, to below 2650 kg/m^3, the "
+                       "density of quartz, got " +
+                       Shown(density) + " kg/m^3");
+    }
+    Set("compaction", "initial_density", {"", density, "", 0, "measured", "bulk density", ""});
+    SourceOf("compaction") += "; initial density measured";
+  } else if (evidence_.composition) {
+    Set("compaction", "initial_density",
+        {"", virgin, "", 0, "assumed", "never loaded beyond " + stress,
+         "no bulk density was given"});
+    SourceOf("compaction") +=
+        "; initial density not measured, taken as never loaded beyond " + stress;
+  } else {
+    OfAnother("compaction", {"initial_density"});
+    soil().layers = like_.layers;
+  }
+  Report({"preconsolidation stress", VirginStress(compaction, compaction.initial_density), "Pa", 0,
+          "virgin curve", "initial density", ""});
+}
+
+// What a soil may have besides.
+void Identification::Companions() {
+  if (!evidence_.like) return;
+  for (const char* element : {"unloading", "layers", "max_stress"})
+    SourceOf(element) = AsOfAnother();
+}
+
+}  // namespace
+
+IdentifiedSoil Identify(const SoilEvidence& evidence) { return Identification(evidence).Result(); }
+
+}  // namespace softsoil

@@ -1,0 +1,255 @@
+"""softsoil drawbar: the soil bin at many slips, spins, and under a torque."""
+import csv
+import json
+import os
+import unittest
+
+from program import BAD_INPUT, COARSE, InAFolder, softsoil
+
+TIRE, SOIL, LOAD = "18.4R38_85kPa", "tilled_yolo_loam", 18000
+RADIUS, GRAVITY = 0.91, 9.81
+TORQUE = 3000  # [N m]
+CURVE = ["drawbar.csv", "centre_line.csv", "summary.json", "soil_bin.xml"]
+UNITS = {"slip": "-", "rolling_slip": "-", "thrust": "N", "motion_resistance": "N",
+         "drawbar_pull": "N", "torque": "N m", "power": "W", "sinkage": "m", "rut_depth": "m",
+         "compaction_volume": "m^3", "load": "N", "steady": "-"}
+
+
+def table(path):
+    with open(path, newline="") as file:
+        return list(csv.DictReader(file))
+
+
+def numbers(path):
+    """Rows of a CSV file of numbers, columns without their units."""
+    return [{key.split(" [")[0]: float(value) for key, value in row.items()}
+            for row in table(path)]
+
+
+class Bin(InAFolder):
+    def drawbar(self, *more, tire=TIRE, soil=SOIL, load=LOAD, out=None):
+        return softsoil("drawbar", "--tire", tire, "--soil", soil, "--load", load, "--out",
+                        out or self.folder, *COARSE, *more)
+
+    def rows(self, *more, out=None, **given):
+        done = self.drawbar(*more, out=out, **given)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        return numbers((out or self.folder) / "drawbar.csv")
+
+
+class PrescribedSlip(Bin):
+    def test_curve_has_the_columns_and_files_it_promises(self):
+        self.rows("--slip", "0.1,0.2")
+        header = table(self.folder / "drawbar.csv")[0].keys()
+        for name, unit in UNITS.items():
+            self.assertIn(f"{name} [{unit}]", header)
+        self.assertEqual(sorted(os.listdir(self.folder)), sorted(CURVE))
+
+    def test_pull_torque_and_power_rise_with_slip(self):
+        rows = self.rows("--slip", "0.05:0.45:0.2")
+        self.assertEqual([round(row["slip"], 5) for row in rows], [0.05, 0.25, 0.45])
+        for key in ("drawbar_pull", "torque", "power"):
+            values = [row[key] for row in rows]
+            self.assertEqual(values, sorted(values), key)
+
+    def test_sums_agree(self):
+        for row in self.rows("--slip", "0.05,0.3"):
+            self.assertAlmostEqual(row["thrust"] - row["motion_resistance"],
+                                   row["drawbar_pull"], delta=0.01)
+            self.assertAlmostEqual(row["torque"] * row["spin"], row["power"], delta=0.01)
+            self.assertAlmostEqual(row["load"] / LOAD, 1, delta=0.01)
+            self.assertAlmostEqual((RADIUS * row["spin"] - row["forward_speed"])
+                                   / row["forward_speed"], row["slip"], delta=1e-5)
+            self.assertEqual(row["steady"], 1)
+
+    def test_slips_may_come_in_any_order(self):
+        rows = self.rows("--slip", "0.3,0.1")
+        self.assertEqual([round(row["slip"], 5) for row in rows], [0.3, 0.1])
+
+    def test_rolling_slip_is_none_where_the_wheel_rolls_freely(self):
+        self.rows("--slip", "0.1")
+        free = json.loads((self.folder / "summary.json").read_text())["free_rolling"]
+        self.assertAlmostEqual(free["rolling_radius"] * (1 + free["slip"]), RADIUS, delta=1e-6)
+        self.assertGreater(free["slip"], 0)  # an elastic wheel rolls on less than its radius
+        row = self.rows("--slip", free["slip"])[0]
+        self.assertAlmostEqual(row["rolling_slip"], 0, delta=1e-4)
+        self.assertLess(abs(row["torque"]), 0.01 * LOAD * RADIUS)
+        self.assertLess(row["drawbar_pull"], 0)
+
+    def test_a_braked_wheel_pulls_back(self):
+        row = self.rows("--slip", "-0.2")[0]
+        self.assertLess(row["torque"], 0)
+        self.assertLess(row["drawbar_pull"], -row["motion_resistance"])
+
+    def test_a_heavier_load_sinks_deeper_and_pulls_more(self):
+        light = self.rows("--slip", "0.2")[0]
+        heavy = self.rows("--slip", "0.2", load=1.5 * LOAD)[0]
+        for key in ("sinkage", "compaction_volume", "motion_resistance", "drawbar_pull"):
+            self.assertGreater(heavy[key], light[key], key)
+        self.assertAlmostEqual(heavy["load"] / (1.5 * LOAD), 1, delta=0.01)
+
+    def test_a_small_wheel_has_a_rig_of_its_size(self):
+        row = self.rows("--slip", "0.2", tire="37x12.5R16.5_15psi", load=6000)[0]
+        self.assertAlmostEqual(row["load"] / 6000, 1, delta=0.01)
+        self.assertEqual(row["steady"], 1)
+
+    def test_same_bits_on_any_number_of_threads(self):
+        for threads in (1, 2):
+            self.rows("--slip", "0.1:0.3:0.1", "--threads", threads, out=self.folder / str(threads))
+        for name in CURVE:
+            one, two = ((self.folder / str(threads) / name).read_bytes() for threads in (1, 2))
+            self.assertEqual(one, two, name)
+
+
+class CentreLine(Bin):
+    def test_pressure_and_shear_along_the_contact(self):
+        peak = {row["slip"]: row["peak_pressure"] for row in self.rows("--slip", "0.3")}
+        points = numbers(self.folder / "centre_line.csv")
+        self.assertEqual({point["slip"] for point in points}, {0.3})
+        angles = [point["angle"] for point in points]
+        self.assertEqual(angles, sorted(angles))
+        self.assertLess(angles[0], -5)
+        self.assertGreater(angles[-1], -angles[0])  # it sinks in ahead, behind it leaves a rut
+        self.assertAlmostEqual(max(point["pressure"] for point in points) / max(peak.values()), 1,
+                               delta=0.05)
+        for point in points:
+            self.assertGreater(point["shear"], 0)  # all of it drives at this slip
+            self.assertLess(point["shear"], point["pressure"])
+
+
+class PrescribedSpin(Bin):
+    def test_the_rig_comes_to_roll_without_pull(self):
+        rows = self.rows("--mode", "spin", "--spin", "1,3")
+        for row, spin in zip(rows, (1, 3)):
+            self.assertAlmostEqual(row["spin"], spin, delta=1e-5)
+            self.assertGreater(row["forward_speed"], 0.9 * RADIUS * spin)
+            self.assertLess(row["forward_speed"], RADIUS * spin)
+            self.assertLess(abs(row["drawbar_pull"]), 0.002 * LOAD)
+            self.assertGreater(row["torque"], 0)
+
+
+class PrescribedTorque(Bin):
+    def history(self, *more):
+        done = self.drawbar("--mode", "torque", "--torque", TORQUE, "--time", 2, *more)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        return table(self.folder / "history.csv")
+
+    def test_the_rig_speeds_up_as_its_pull_says(self):
+        rows = self.history()
+        speed = {float(row["time [s]"]): float(row["forward speed [m/s]"]) for row in rows}
+        self.assertEqual([min(speed), max(speed)], [0, 2])
+        self.assertGreater(speed[2], speed[1])
+        pulls = [float(row["drawbar pull [N]"]) for row in rows if float(row["time [s]"]) > 1]
+        pull = sum(pulls) / len(pulls)
+        self.assertAlmostEqual((speed[2] - speed[1]) * LOAD / GRAVITY / pull, 1, delta=0.05)
+
+    def test_the_centre_line_is_told_at_the_times_asked_for(self):
+        self.history("--contact-times", "0.5,2")
+        points = numbers(self.folder / "centre_line.csv")
+        self.assertEqual({point["time"] for point in points}, {0.5, 2})
+
+    def test_bumps_shake_the_wheel(self):
+        def swing(rows):
+            heights = [float(row["z [m]"]) for row in rows if float(row["time [s]"]) > 1]
+            return max(heights) - min(heights)
+
+        flat, bumpy = swing(self.history()), swing(self.history("--bumps", "0.1,1,7"))
+        self.assertLess(flat, 0.002)
+        self.assertGreater(bumpy, 0.004)
+
+
+class RigidWheel(Bin):
+    def test_stands_beside_the_tire(self):
+        self.rows("--slip", "-0.1,0.1,0.3", "--wong-reece")
+        slips = [float(row["slip [-]"]) for row in table(self.folder / "wong_reece.csv")]
+        self.assertEqual([round(slip, 9) for slip in slips], [0.1, 0.3])  # driven ones alone
+        self.assertTrue((self.folder / "rim_stress.csv").exists())
+
+
+class Pictures(Bin):
+    def drawn(self, *more):
+        arguments = [a for a in COARSE if a != "--no-picture"]
+        done = softsoil("drawbar", "--tire", TIRE, "--soil", SOIL, "--load", LOAD, "--out",
+                        self.folder, *arguments, *more)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        return {name for name in os.listdir(self.folder) if name.endswith(".png")}
+
+    def test_curves_and_stress_are_drawn(self):
+        self.assertEqual(self.drawn("--slip", "0.1,0.3", "--wong-reece"),
+                         {"drawbar.png", "centre_line.png"})
+
+    def test_one_slip_makes_a_picture_too(self):
+        self.assertEqual(self.drawn("--slip", "0.1"), {"drawbar.png", "centre_line.png"})
+
+    def test_a_history_is_drawn(self):
+        self.assertEqual(self.drawn("--mode", "torque", "--torque", 1600, "--time", 0.5),
+                         {"history.png", "centre_line.png"})
+
+
+class BadInput(Bin):
+    def refused(self, sentence, *more, **given):
+        out = self.folder / "out"
+        self.assertFails(self.drawbar(*more, out=out, **given), BAD_INPUT, sentence)
+        self.assertFalse(out.exists())
+
+    def test_names_that_nobody_knows_are_answered_by_those_that_are_known(self):
+        self.refused('unknown tire "round"; known are: ', "--slip", "0.1", tire="round")
+        self.refused('unknown soil "mud"; known are: ', "--slip", "0.1", soil="mud")
+
+    def test_numbers_out_of_range(self):
+        self.refused("--slip must be -0.99 to 100, got -1", "--slip=-1")
+        self.refused("--load must be 0.1 to 1e+07 N, got 0", "--slip", "0.1", load=0)
+        self.refused("--load must be", "--slip", "0.1", load="nan")
+        self.refused("--speed must be 0.01 to 100 m/s, got 0", "--slip", "0.1", "--speed", "0")
+        self.refused("--slip must be 1 to 200 numbers, got 1001", "--slip", "0:1:0.001")
+        self.refused("--slip", "--slip", "0.1:0.3:0")
+        self.refused("--slip", "--slip", "0.1:0.3:-0.1")
+        self.refused("--threads must be 1 to 1024, got 0", "--slip", "0.1", "--threads", "0")
+        self.refused("--contact-times must be 0 to 1 s, got 2", "--mode", "torque", "--torque",
+                     "10", "--time", "1", "--contact-times", "2")
+
+    def test_every_mode_says_what_it_needs(self):
+        self.refused("--mode slip needs --slip")
+        self.refused("--mode spin needs --spin", "--mode", "spin")
+        self.refused("--mode torque needs --time", "--mode", "torque", "--torque", "100")
+        self.refused("--spin is for --mode spin, not for --mode slip", "--slip", "0.1", "--spin",
+                     "1")
+        self.refused("--bumps is for --mode torque", "--slip", "0.1", "--bumps", "0.1,1")
+
+    def test_settings(self):
+        self.refused("--set soil: is chosen by --soil", "--slip", "0.1", "--set", "soil=lete_sand")
+        self.refused("--set mode: is given twice", "--slip", "0.1", "--set", "mode=flow", "--set",
+                     "mode=compaction")
+        self.refused("softsoil_clock: must be 0.0001 to 10 s, got 99", "--slip", "0.1", "--set",
+                     "clock=99")
+        self.refused("softsoil_bumps", "--mode", "torque", "--torque", "100", "--time", "1",
+                     "--bumps", "high")
+
+    def test_soil_that_does_not_say_where_it_presses_most(self):
+        self.refused("has no <max_stress", "--slip", "0.1", "--wong-reece", soil="lete_sand")
+
+    def test_a_folder_that_cannot_be_written(self):
+        file = self.write("file", "")
+        self.assertFails(self.drawbar("--slip", "0.1", out=file), BAD_INPUT,
+                         "cannot write into this folder")
+
+    def test_a_load_that_the_soil_cannot_carry_leaves_no_result(self):
+        self.write("drawbar.csv", "of an earlier run")
+        done = self.drawbar("--slip", "0.1", load=500000)
+        self.assertFails(done, BAD_INPUT, "--load: the soil cannot carry 500000 N",
+                         "sinks to its axle")
+        self.assertEqual(os.listdir(self.folder), [])
+
+
+class NotSteady(Bin):
+    def test_what_never_becomes_steady_is_said_so(self):
+        # So light that the wheel hops from node to node of the coarse grid.
+        done = self.drawbar("--slip", "0.1", load=1)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertEqual(numbers(self.folder / "drawbar.csv")[0]["steady"], 0)
+        self.assertIn("not steady after", done.stderr)
+        self.assertIn("not steady", done.stdout)
+
+
+if __name__ == "__main__":
+    unittest.main()
