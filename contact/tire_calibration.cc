@@ -124,22 +124,39 @@ std::vector<SpringFit> FitSprings(const TireShape& shape, const LoadDeflection& 
   return fits;
 }
 
-const SpringFit& BestFit(const std::vector<SpringFit>& fits, const LoadDeflection& test) {
-  constexpr double kEqual = 0.05, kExact = 1e-6;
-  const auto smaller = [](const SpringFit& a, const SpringFit& b) { return a.rms < b.rms; };
-  const double least = std::min_element(fits.begin(), fits.end(), smaller)->rms;
-  const double largest = *std::max_element(test.load.begin(), test.load.end());
-  const double bound = std::max(least * (1 + kEqual), least + kExact * largest);
-  // A form that has lost a term is the same spring as one that never had it.
-  const auto simplicity = [](const SpringFit& fit) {
-    return std::make_tuple(fit.terms, fit.form->terms.size(), fit.rms);
-  };
-  const SpringFit* best = nullptr;
-  for (const SpringFit& fit : fits) {
-    if (fit.rms > bound) continue;
-    if (best == nullptr || simplicity(fit) < simplicity(*best)) best = &fit;
+bool HasTheSameTerms(const std::vector<std::vector<SpringFit>>& fits_by_test, std::size_t form) {
+  for (const auto term : SpringForms()[form].terms) {
+    for (const std::vector<SpringFit>& fits : fits_by_test) {
+      const bool has = fits[form].spring.*term > 0, first = fits_by_test[0][form].spring.*term > 0;
+      if (has != first) return false;
+    }
   }
-  return *best;
+  return true;
+}
+
+std::size_t BestForm(const std::vector<std::vector<SpringFit>>& fits_by_test, double largest_load) {
+  constexpr double kEqual = 0.05, kExact = 1e-6;
+  std::array<double, 5> error{};
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t form = 0; form < error.size(); ++form) {
+    for (const std::vector<SpringFit>& fits : fits_by_test) {
+      error[form] += fits[form].rms * fits[form].rms / static_cast<double>(fits_by_test.size());
+    }
+    error[form] = std::sqrt(error[form]);
+    if (HasTheSameTerms(fits_by_test, form)) least = std::min(least, error[form]);
+  }
+  const double bound = std::max(least * (1 + kEqual), least + kExact * largest_load);
+  // A form that has lost a term is the same spring as one that never had it.
+  const auto simplicity = [&](std::size_t form) {
+    const SpringFit& fit = fits_by_test[0][form];
+    return std::make_tuple(fit.terms, fit.form->terms.size(), error[form]);
+  };
+  std::size_t best = error.size();
+  for (std::size_t form = 0; form < error.size(); ++form) {
+    if (error[form] > bound || !HasTheSameTerms(fits_by_test, form)) continue;
+    if (best == error.size() || simplicity(form) < simplicity(best)) best = form;
+  }
+  return best;
 }
 
 CrownFit FitCrownRadius(const std::vector<double>& deflection, const std::vector<double>& width) {

@@ -44,10 +44,15 @@ SpringFit FitSpring(const SpringForm& form, const TireShape& shape, const LoadDe
 // All five, in the order of SpringForms().
 std::vector<SpringFit> FitSprings(const TireShape& shape, const LoadDeflection& test);
 
-// The fit of the smallest rms; of fits that differ from it by less than 5 %, as much as a term
-// without meaning gains over ten rows, or by less than 1e-6 of the largest load, the one with the
-// fewest terms.
-const SpringFit& BestFit(const std::vector<SpringFit>& fits, const LoadDeflection& test);
+// The form, by its place in SpringForms(), that fits a tire best: tests at one or several
+// pressures, each with its fits by form. It is the form of the smallest error, the root of the mean
+// of rms^2 over the tests; of forms that differ from it by less than 5 %, as much as a term without
+// meaning gains over ten rows, or by less than 1e-6 of `largest_load` [N], the one with the fewest
+// terms. Only forms with the same terms at every pressure can be interpolated and are admitted.
+std::size_t BestForm(const std::vector<std::vector<SpringFit>>& fits_by_test, double largest_load);
+
+// Whether the fits of a form have the same terms in every test.
+bool HasTheSameTerms(const std::vector<std::vector<SpringFit>>& fits_by_test, std::size_t form);
 
 struct CrownFit {
   double crown_radius;  // [m]  r_beta

@@ -89,8 +89,8 @@ const std::vector<Setting>& SettingTable() {
       {"soil", kText, kNoLimits, "", "none: no soft soil", "soil by its name in the catalogue",
        [](Settings& s, const V& v) { s.soil = v.text; }},
       {"tire", kText, kNoLimits, "", kAutoTire,
-       "tire of all wheels by its name in the catalogue, BODY=TIRE entries, or both; auto: a "
-       "stiff tire of the geom's size",
+       "tire of all wheels by its name in the catalogue, FAMILY@PRESSURE, BODY=TIRE entries, or "
+       "both; auto: a stiff tire of the geom's size",
        [](Settings& s, const V& v) { s.tires = ParseTires(v.text); }},
       {"ground", kText, kNoLimits, "", "the only plane of the world",
        "name of the plane geom that is the undisturbed ground",

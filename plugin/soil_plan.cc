@@ -17,9 +17,7 @@ namespace softsoil {
 namespace {
 
 Soil ChooseSoil(const Settings& settings) {
-  Catalogue<Soil> catalogue = SoilCatalogue();
-  catalogue.AddFolder(ModelsFolder() + "/soils");
-  for (const std::string& file : settings.soil_files) catalogue.AddFile(file);
+  const auto catalogue = SoilCatalogue().With(ModelsFolder() + "/soils", settings.soil_files);
   return At("softsoil_soil", [&] { return catalogue.Find(settings.soil); });
 }
 

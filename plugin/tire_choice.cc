@@ -48,10 +48,7 @@ void WarnOfRadius(const Wheel& wheel, const Tire& tire) {
 }
 
 Catalogue<Tire> AllTires(const Settings& settings) {
-  Catalogue<Tire> catalogue = TireCatalogue();
-  catalogue.AddFolder(ModelsFolder() + "/tires");
-  for (const std::string& file : settings.tire_files) catalogue.AddFile(file);
-  return catalogue;
+  return TireCatalogue().With(ModelsFolder() + "/tires", settings.tire_files);
 }
 
 void RequireBodiesAreWheels(const TireNames& names, const std::vector<Wheel>& wheels) {

@@ -91,6 +91,12 @@ class Catalogue {
   void AddFolder(const std::string& folder) {
     for (const std::string& file : XmlFilesIn(folder)) AddFile(file);
   }
+  // The catalogue with all *.xml files of a folder and more files besides.
+  Catalogue With(const std::string& folder, const std::vector<std::string>& files = {}) && {
+    AddFolder(folder);
+    for (const std::string& file : files) AddFile(file);
+    return std::move(*this);
+  }
 
   // Throws InputError that lists the known names.
   const Entry& Find(const std::string& name) const {

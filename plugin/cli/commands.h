@@ -11,5 +11,6 @@ void AddWongReeceCommand(CLI::App& program);
 void AddListCommand(CLI::App& program);
 void AddSoilCommand(CLI::App& program);
 void AddWithCommand(CLI::App& program);
+void AddFitTireCommand(CLI::App& program);
 
 }  // namespace softsoil

@@ -5,11 +5,12 @@
 #include <memory>
 #include <mutex>
 
+#include "contact/tire_family.h"
+#include "plugin/cli/catalogues.h"
 #include "plugin/cli/drawbar_table.h"
 #include "plugin/cli/in_parallel.h"
 #include "plugin/cli/mujoco_messages.h"
 #include "plugin/cli/output_file.h"
-#include "plugin/cli/paths.h"
 #include "plugin/cli/picture.h"
 #include "plugin/cli/rigid_wheel.h"
 #include "plugin/cli/standard_output.h"
@@ -55,14 +56,6 @@ void Check(const DrawbarOptions& options) {
   Require("--speed", kSpeedLimits, " m/s", options.speed);
   if (options.mode == BinMode::kSlip) RequireAll("--slip", kSlipLimits, "", options.slips);
   if (options.mode == BinMode::kSpin) RequireAll("--spin", kSpinLimits, " rad/s", options.spins);
-}
-
-template <class Entry>
-Entry FindIn(Catalogue<Entry> catalogue, const std::string& kind,
-             const std::vector<std::string>& files, const std::string& name) {
-  catalogue.AddFolder(ShareFolder() + "/models/" + kind);
-  for (const std::string& file : files) catalogue.AddFile(file);
-  return catalogue.Find(name);
 }
 
 // Absolute, as the model may be opened from another folder.
@@ -199,8 +192,8 @@ void RunHistory(const DrawbarOptions& options, const SoilBin& bin) {
 
 void Drawbar(const DrawbarOptions& options) {
   Check(options);
-  const Soil soil = FindIn(SoilCatalogue(), "soils", options.soil_files, options.soil);
-  const Tire tire = FindIn(TireCatalogue(), "tires", options.tire_files, options.tire);
+  const Soil soil = SoilsWith(options.soil_files).Find(options.soil);
+  const Tire tire = FindTire(TiresWith(options.tire_files), options.tire);
   const SoilBin bin = BinOf(options, tire);
   WongReeceResults rigid;
   if (options.wong_reece) rigid = RigidWheelBeside(tire, soil, options);

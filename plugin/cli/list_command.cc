@@ -6,11 +6,11 @@
 #include <utility>
 #include <vector>
 
-#include "contact/tire.h"
+#include "contact/tire_family.h"
+#include "plugin/cli/catalogues.h"
 #include "plugin/cli/commands.h"
 #include "plugin/cli/paths.h"
 #include "plugin/cli/standard_output.h"
-#include "terrain/soil.h"
 
 namespace softsoil {
 namespace {
@@ -24,15 +24,21 @@ Rows RowsOf(const Entries& entries) {
   return rows;
 }
 
-template <class Entry>
-Rows FromCatalogue(Catalogue<Entry> catalogue, const std::string& folder) {
-  catalogue.AddFolder(ShareFolder() + "/models/" + folder);
-  return RowsOf(catalogue.entries());
+// The entries, and the families that any pressure can be chosen of.
+Rows Tires() {
+  const Catalogue<Tire> catalogue = TiresWith();
+  Rows rows = RowsOf(catalogue.entries());
+  for (const TireFamily& family : TireFamilies(catalogue)) {
+    if (family.lowest == family.highest) continue;
+    rows.emplace_back(family.name + kAtPressure + "PRESSURE",
+                      "Any inflation pressure from " + TestedPressures(family));
+  }
+  return rows;
 }
 
 Rows RowsOfKind(const std::string& kind) {
-  if (kind == "soils") return FromCatalogue(SoilCatalogue(), kind);
-  if (kind == "tires") return FromCatalogue(TireCatalogue(), kind);
+  if (kind == "soils") return RowsOf(SoilsWith().entries());
+  if (kind == "tires") return Tires();
   return RowsOf(ShippedScenes());
 }
 

@@ -26,6 +26,7 @@ int ParseAndRun(int argc, char** argv) {
   AddListCommand(program);
   AddSoilCommand(program);
   AddWithCommand(program);
+  AddFitTireCommand(program);
   try {
     program.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

@@ -5,8 +5,8 @@
 #include <map>
 #include <vector>
 
+#include "plugin/cli/catalogues.h"
 #include "plugin/cli/output_file.h"
-#include "plugin/cli/paths.h"
 #include "plugin/cli/picture.h"
 #include "plugin/cli/soil_report.h"
 #include "plugin/cli/standard_output.h"
@@ -16,12 +16,6 @@ namespace softsoil {
 namespace {
 
 namespace fs = std::filesystem;
-
-Catalogue<Soil> ShippedSoils() {
-  Catalogue<Soil> catalogue = SoilCatalogue();
-  catalogue.AddFolder(ShareFolder() + "/models/soils");
-  return catalogue;
-}
 
 // Given all together or not at all.
 bool AreGiven(const std::vector<std::pair<const char*, std::optional<double>>>& options) {
@@ -54,7 +48,7 @@ void AddState(const SoilOptions& options, SoilEvidence* evidence) {
     evidence->saturation = {*options.saturation, *options.reference_saturation};
   }
   if (options.like) {
-    evidence->like = At("--like", [&] { return ShippedSoils().Find(*options.like); });
+    evidence->like = At("--like", [&] { return SoilsWith().Find(*options.like); });
   }
 }
 
@@ -116,7 +110,7 @@ void RequireName(const std::string& name) {
   if (name.find_first_of(" \t\n,;=") != std::string::npos) {
     throw InputError("--name must hold no blank, comma, semicolon or =, got \"" + name + "\"");
   }
-  const Catalogue<Soil> shipped = ShippedSoils();
+  const Catalogue<Soil> shipped = SoilsWith();
   for (const Soil& known : shipped.entries()) {
     if (known.name == name) throw InputError("--name " + name + ": this name is taken already");
   }

@@ -6,11 +6,11 @@
 #include <string>
 #include <vector>
 
-#include "contact/tire.h"
+#include "contact/tire_family.h"
+#include "plugin/cli/catalogues.h"
 #include "plugin/cli/commands.h"
 #include "plugin/cli/number_range.h"
 #include "plugin/cli/output_file.h"
-#include "plugin/cli/paths.h"
 #include "plugin/cli/picture.h"
 #include "plugin/cli/wong_reece_table.h"
 #include "terrain/input_error.h"
@@ -32,14 +32,6 @@ struct Line {
   std::string slip, definition = kSae;  // driven, if given
   bool towed = false, no_picture = false;
 };
-
-template <class Entry>
-Entry Find(Catalogue<Entry> catalogue, const std::string& folder,
-           const std::vector<std::string>& files, const std::string& name) {
-  catalogue.AddFolder(ShareFolder() + "/models/" + folder);
-  for (const std::string& file : files) catalogue.AddFile(file);
-  return catalogue.Find(name);
-}
 
 void CheckPositive(const std::string& option, const std::string& unit, double value) {
   if (value > 0 && std::isfinite(value)) return;
@@ -88,8 +80,8 @@ SoilUnderRim UnderRim(const Soil& soil, double width, const MaxStress& max_stres
 }
 
 WongReeceResults Solve(const Line& line) {
-  const Tire tire = Find(TireCatalogue(), "tires", line.tire_files, line.tire);
-  const Soil soil = Find(SoilCatalogue(), "soils", line.soil_files, line.soil);
+  const Tire tire = FindTire(TiresWith(line.tire_files), line.tire);
+  const Soil soil = SoilsWith(line.soil_files).Find(line.soil);
   const RigidWheel wheel = {tire.shape.radius, line.width.value_or(tire.shape.width)};
   const SoilUnderRim under_rim = UnderRim(soil, wheel.width, MaxStressOn(soil, line));
   WongReeceResults results = {tire.name, soil.name, wheel, under_rim, line.load, {}};

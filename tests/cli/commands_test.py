@@ -65,7 +65,8 @@ class With(InAFolder):
 
 class Help(unittest.TestCase):
     def test_is_there_for_every_command(self):
-        for command in ([], ["run"], ["list"], ["soil"], ["with"], ["wong-reece"]):
+        for command in ([], ["run"], ["list"], ["with"], ["soil"], ["fit-tire"], ["wong-reece"],
+                        ["drawbar"]):
             done = softsoil(*command, "--help")
             self.assertEqual(done.returncode, 0)
             self.assertIn("Usage: softsoil", done.stdout)

@@ -7,6 +7,7 @@
 
 #include "contact/flat_plate.h"
 #include "plugin/time_step.h"
+#include "terrain/input_error.h"
 #include "tests/plugin/one_wheel.h"
 
 namespace softsoil {
@@ -40,6 +41,20 @@ TEST(AutoTire, IsRoundLikeItsGeom) {
   EXPECT_EQ(AutoTire(WheelWith(R"(type="sphere" size=".4")"), 1).shape.crown_radius, 0.4);
   EXPECT_NEAR(AutoTire(WheelWith(R"(type="ellipsoid" size=".4 .2 .4")"), 1).shape.crown_radius, 0.1,
               1e-12);
+}
+
+// What a setting of tires gives the wheel of that model.
+Tire ChosenBy(const std::string& text) {
+  const auto m = Load(OneWheel().Mjcf());
+  Settings settings = SettingsOf(m.get());
+  Override("tire=" + text, &settings);
+  return ChooseTires(m.get(), FindWheels(m.get(), {}), settings).at(0);
+}
+
+TEST(ChooseTires, TakesAnInflationPressureWhereverATireIsNamed) {
+  EXPECT_EQ(ChosenBy("18.4R38@85kPa").spring.root, 346900);
+  EXPECT_NEAR(ChosenBy("auto,wheel=18.4R38@105kPa").spring.root, (346900 + 534500) / 2, 1e-6);
+  EXPECT_THROW(ChosenBy("18.4R38@200kPa"), InputError);
 }
 
 TEST(StaticLoad, IsTheWheelsShareOfItsVehicle) {

@@ -1,0 +1,91 @@
+#include "contact/tire_measurements.h"
+
+#include <algorithm>
+
+#include "terrain/input_error.h"
+#include "terrain/measurements.h"
+
+namespace softsoil {
+namespace {
+
+constexpr double kNoise = 0.1;  // of the greatest load so far: so much a load may fall short of it
+
+void RequireBelowRadius(const Measurements& table, std::size_t row, double z, double radius) {
+  if (z < radius) return;
+  table.Refuse(row, "deflection must be < the tire's radius " + Shown(radius) + " m, got " +
+                        Shown(z) + " m");
+}
+
+// Adds a row to the test of its pressure. Throws if it does not go on from the row before.
+void Add(const Measurements& table, std::size_t row, LoadDeflection* test) {
+  const double z = table.Column("deflection")[row], load = table.Column("load")[row];
+  if (!test->deflection.empty()) {
+    if (z <= test->deflection.back()) {
+      table.Refuse(row, "deflection must rise from row to row, got " + Shown(z) + " m after " +
+                            Shown(test->deflection.back()) + " m");
+    }
+    const double highest = *std::max_element(test->load.begin(), test->load.end());
+    if (load < (1 - kNoise) * highest) {
+      table.Refuse(row, "load must rise with deflection, got " + Shown(load) + " N after " +
+                            Shown(highest) + " N");
+    }
+  }
+  test->deflection.push_back(z);
+  test->load.push_back(load);
+}
+
+void RequireEnough(const std::string& file, const PressureTest& test) {
+  const std::size_t rows = test.rows.load.size();
+  const std::string place =
+      test.inflation_pressure > 0 ? "at " + Shown(test.inflation_pressure / 1e3) + " kPa " : "";
+  if (rows < kLeastRows) {
+    throw InputError(file + ": " + place + "there must be at least " + std::to_string(kLeastRows) +
+                     " rows, one more than the largest form of spring has terms, got " +
+                     std::to_string(rows));
+  }
+  if (*std::max_element(test.rows.load.begin(), test.rows.load.end()) <= 0) {
+    throw InputError(file + ": " + place + "there must be a load > 0 N");
+  }
+}
+
+}  // namespace
+
+std::vector<PressureTest> ReadLoadDeflection(const std::string& file, double radius) {
+  const Measurements table(file,
+                           {{"deflection", Quantity::kLength},
+                            {"load", Quantity::kForce},
+                            {"inflation_pressure", Quantity::kPressure, true}},
+                           1);
+  table.RequireNotNegative("deflection");
+  table.RequireNotNegative("load");
+  table.RequirePositive("inflation_pressure");
+  const bool several = table.Has("inflation_pressure");
+  std::vector<PressureTest> tests;
+  for (std::size_t row = 0; row < table.rows(); ++row) {
+    RequireBelowRadius(table, row, table.Column("deflection")[row], radius);
+    const double pressure = several ? table.Column("inflation_pressure")[row] : 0;
+    auto test = std::find_if(tests.begin(), tests.end(), [&](const PressureTest& known) {
+      return known.inflation_pressure == pressure;
+    });
+    if (test == tests.end()) test = tests.insert(test, PressureTest{pressure, {}});
+    Add(table, row, &test->rows);
+  }
+  for (const PressureTest& test : tests) RequireEnough(file, test);
+  std::sort(tests.begin(), tests.end(), [](const PressureTest& a, const PressureTest& b) {
+    return a.inflation_pressure < b.inflation_pressure;
+  });
+  return tests;
+}
+
+ContactWidths ReadContactWidths(const std::string& file, double radius) {
+  const Measurements table(
+      file, {{"deflection", Quantity::kLength}, {"contact_width", Quantity::kLength}}, 2);
+  table.RequirePositive("deflection");
+  table.RequirePositive("contact_width");
+  for (std::size_t row = 0; row < table.rows(); ++row) {
+    RequireBelowRadius(table, row, table.Column("deflection")[row], radius);
+  }
+  return {table.Column("deflection"), table.Column("contact_width")};
+}
+
+}  // namespace softsoil
