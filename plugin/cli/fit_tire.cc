@@ -45,11 +45,16 @@ void CheckNumbers(const FitTireOptions& options) {
   }
 }
 
-void CheckFiles(const FitTireOptions& options) {
+// Before anything is written, but after all else has been found good.
+void PrepareFiles(const FitTireOptions& options) {
   for (const std::string& file : {options.out, options.picture}) {
-    if (!file.empty() && !options.force && fs::exists(file)) {
+    if (file.empty()) continue;
+    if (fs::is_directory(file)) throw InputError(file + ": is a folder, not a file");
+    if (fs::exists(file) && !options.force) {
       throw InputError(file + ": is there already; --force overwrites it");
     }
+    const fs::path folder = fs::path(file).parent_path();
+    PrepareFolder(folder.empty() ? "." : folder.string());
   }
 }
 
@@ -188,7 +193,6 @@ void DrawFits(const FitTireOptions& options, const FittedTire& tire, const std::
 
 void FitTire(const FitTireOptions& options) {
   CheckNumbers(options);
-  CheckFiles(options);
   CheckEntry(options);
   FittedTire tire{};
   FitShape(options, &tire);
@@ -196,6 +200,7 @@ void FitTire(const FitTireOptions& options) {
   const Friction friction = FrictionOf(options);
   const std::string entries = options.out.empty() ? "" : EntriesOf(options, tire, friction);
   const std::string python = options.picture.empty() ? "" : PythonThatPlots();
+  PrepareFiles(options);
 
   PrintFits(tire);
   if (!options.picture.empty()) {

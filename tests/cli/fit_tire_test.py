@@ -88,9 +88,18 @@ class FitTire(InAFolder):
         self.assertRefused([LOADS, *TORUS, *ENTRY, "--out", out],
                            f"{out}: is there already; --force overwrites it")
         self.assertRefused([LOADS, *TORUS, "--picture", out], f"{out}: is there already")
+        self.assertRefused([LOADS, *TORUS, "--picture", self.folder], "is a folder, not a file")
         self.assertEqual(out.read_text(), "precious")
         self.assertFits(LOADS, *TORUS, *ENTRY, "--out", out, "--force")
         self.assertIn("<tires>", out.read_text())
+
+    def test_python_without_matplotlib(self):
+        self.write("matplotlib.py", "raise ImportError")
+        done = softsoil("fit-tire", LOADS, *TORUS, *ENTRY, "--out", self.folder / "mine.xml",
+                        "--picture", self.folder / "fit.png",
+                        environment={"PYTHONPATH": str(self.folder)})
+        self.assertFails(done, BAD_INPUT, "matplotlib")
+        self.assertEqual([path.name for path in self.folder.iterdir()], ["matplotlib.py"])
 
     def test_bad_options(self):
         self.assertRefused([LOADS, *SIZE], "one of --crown-radius, --contact-width and --cylinder")
