@@ -41,9 +41,7 @@ std::vector<Eigen::Index> Chosen(unsigned trial, Eigen::Index count) {
 }
 
 // Least squares with the chosen terms alone, each in the share of the largest load that it carries
-// there: all are then of one size. The search's numerical derivative steps by a part of a
-// parameter, so none may be near zero, and a share often is: parameters are shares plus kOffset.
-constexpr double kOffset = 3;
+// there: all are then of one size.
 struct Trial {
   std::vector<Eigen::Index> chosen;
   VectorXd unit;  // [Pa/m^k] of each share
@@ -61,13 +59,9 @@ Trial FitChosen(const MatrixXd& loads, const VectorXd& measured, std::vector<Eig
     shares.col(k) = column / column.maxCoeff();
   }
   const VectorXd target = measured / largest;
-  const auto residuals = [&](const VectorXd& x) -> VectorXd {
-    return shares * (x.array() - kOffset).matrix() - target;
-  };
-  trial.fit =
-      LeastSquares(residuals, VectorXd::Constant(count, kOffset + 1.0 / static_cast<double>(count)),
-                   static_cast<int>(loads.rows()));
-  trial.fit.parameters.array() -= kOffset;
+  const auto residuals = [&](const VectorXd& x) -> VectorXd { return shares * x - target; };
+  trial.fit = LeastSquares(residuals, VectorXd::Constant(count, 1.0 / static_cast<double>(count)),
+                           static_cast<int>(loads.rows()));
   return trial;
 }
 

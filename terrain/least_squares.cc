@@ -16,6 +16,14 @@ namespace {
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
+// The derivative of Eigen steps by a part of the variable, so no variable may come near zero, as a
+// parameter often does. Hence the search is for y = parameter / size + kShift.
+constexpr double kShift = 2;
+
+VectorXd Parameters(const VectorXd& y, const VectorXd& size) {
+  return size.cwiseProduct((y.array() - kShift).matrix());
+}
+
 // What Eigen asks of a function to minimise.
 struct Problem {
   using Scalar = double;
@@ -26,12 +34,13 @@ struct Problem {
 
   int inputs() const { return parameters; }
   int values() const { return rows; }
-  int operator()(const VectorXd& x, VectorXd& r) const {
-    r = residuals(x);
+  int operator()(const VectorXd& y, VectorXd& r) const {
+    r = residuals(Parameters(y, size));
     return r.allFinite() ? 0 : -1;  // negative: stop
   }
 
   const Residuals& residuals;
+  VectorXd size;
   int parameters, rows;
 };
 using Differentiated = Eigen::NumericalDiff<Problem, Eigen::Central>;
@@ -77,24 +86,26 @@ Fit LeastSquares(const Residuals& residuals, const VectorXd& start, int rows) {
     throw InputError("there must be at least as many rows as parameters, " + std::to_string(count) +
                      ", got " + std::to_string(rows));
   }
-  Differentiated problem{Problem{residuals, count, rows}};
+  const VectorXd size = start.cwiseAbs();
+  Differentiated problem{Problem{residuals, size, count, rows}};
   Eigen::LevenbergMarquardt<Differentiated> search(problem);
   search.parameters.ftol = search.parameters.xtol = 1e-14;
   search.parameters.maxfev = 2000 * (count + 1);
 
-  Fit fit;
-  fit.parameters = start;
-  const auto status = search.minimize(fit.parameters);
+  VectorXd y = (start.array() / size.array() + kShift).matrix();
+  const auto status = search.minimize(y);
   using namespace Eigen::LevenbergMarquardtSpace;
   if (status == UserAsked || status == ImproperInputParameters ||
       status == TooManyFunctionEvaluation) {
     throw InputError("the least squares search does not converge");
   }
+  Fit fit;
+  fit.parameters = Parameters(y, size);
   fit.residuals = residuals(fit.parameters);
   fit.rms = std::sqrt(fit.residuals.squaredNorm() / rows);
   MatrixXd jacobian(rows, count);
-  problem.df(fit.parameters, jacobian);
-  JudgeFit(jacobian, &fit);
+  problem.df(y, jacobian);
+  JudgeFit(jacobian * size.cwiseInverse().asDiagonal(), &fit);
   return fit;
 }
 

@@ -99,7 +99,7 @@ class WongReece(InAFolder):
     def test_more_tires_and_soils(self):
         def copy(kind, source, old, new):
             text = (ROOT / "models" / kind / source).read_text()
-            return self.write(source, text.replace(f'name="{old}', f'name="{new}'))
+            return self.write(source, text.replace(f'="{old}', f'="{new}'))
 
         tires = copy("tires", "wrangler.xml", "37x", "my_37x")
         self.assertIn("my_37x12.5R16.5_15psi", tires.read_text())

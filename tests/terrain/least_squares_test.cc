@@ -63,6 +63,13 @@ TEST(LeastSquares, IntervalsCoverTheTruthAsOftenAsTheySay) {
   EXPECT_LT(covered, 0.98 * kExperiments);
 }
 
+TEST(LeastSquares, FindsAParameterThatIsZero) {
+  const VectorXd x = VectorXd::LinSpaced(8, 0, 3);
+  const Fit fit = FitDecay(x, VectorXd::Constant(8, 2e5));
+  EXPECT_NEAR(fit.parameters[0], 2e5, 1e-6 * 2e5);
+  EXPECT_NEAR(fit.parameters[1], 0, 1e-6);
+}
+
 TEST(LeastSquares, ClaimsNoConfidenceWithoutADegreeOfFreedom) {
   const VectorXd x = VectorXd::LinSpaced(2, 0, 1);
   const Fit fit = FitDecay(x, Decay(Vector2d(1e6, 1.5), x));
