@@ -61,7 +61,7 @@ Trial FitChosen(const MatrixXd& loads, const VectorXd& measured, std::vector<Eig
   const VectorXd target = measured / largest;
   const auto residuals = [&](const VectorXd& x) -> VectorXd { return shares * x - target; };
   trial.fit = LeastSquares(residuals, VectorXd::Constant(count, 1.0 / static_cast<double>(count)),
-                           static_cast<int>(loads.rows()));
+                           VectorXd::Ones(count), static_cast<int>(loads.rows()));
   return trial;
 }
 
@@ -167,7 +167,8 @@ CrownFit FitCrownRadius(const std::vector<double>& deflection, const std::vector
     }
     return r;
   };
-  const Fit fit = LeastSquares(residuals, VectorXd::Constant(1, start), static_cast<int>(rows));
+  const Fit fit = LeastSquares(residuals, VectorXd::Constant(1, start),
+                               VectorXd::Constant(1, start), static_cast<int>(rows));
   return {fit.parameters[0], fit.confidence[0], fit.rms};
 }
 

@@ -123,7 +123,9 @@ ScaledFit FitPowerLaw(const PowerLaw& law, double n_start) {
     const VectorXd modulus = law.factors * u.head(moduli).cwiseProduct(scale.head(moduli));
     return (modulus.array() * law.s.array().pow(u[moduli]) - law.p.array()) / largest;
   };
-  return {LeastSquares(residuals, start, static_cast<int>(law.p.size())), scale, largest};
+  return {
+      LeastSquares(residuals, start, VectorXd::Ones(moduli + 1), static_cast<int>(law.p.size())),
+      scale, largest};
 }
 
 // The frictional modulus and the exponent are the last two parameters.

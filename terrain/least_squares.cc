@@ -80,13 +80,13 @@ void JudgeFit(const MatrixXd& jacobian, Fit* fit) {
 
 }  // namespace
 
-Fit LeastSquares(const Residuals& residuals, const VectorXd& start, int rows) {
+Fit LeastSquares(const Residuals& residuals, const VectorXd& start, const VectorXd& size,
+                 int rows) {
   const int count = static_cast<int>(start.size());
   if (rows < count) {
     throw InputError("there must be at least as many rows as parameters, " + std::to_string(count) +
                      ", got " + std::to_string(rows));
   }
-  const VectorXd size = start.cwiseAbs();
   Differentiated problem{Problem{residuals, size, count, rows}};
   Eigen::LevenbergMarquardt<Differentiated> search(problem);
   search.parameters.ftol = search.parameters.xtol = 1e-14;

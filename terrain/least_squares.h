@@ -18,11 +18,12 @@ struct Fit {
 // Residuals, one per row, for given parameters.
 using Residuals = std::function<Eigen::VectorXd(const Eigen::VectorXd& parameters)>;
 
-// Parameters that minimise the sum of squared residuals near `start`, none of it zero: it also tells
-// the size of each parameter. There are `rows` residuals.
+// Parameters that minimise the sum of squared residuals near `start`; `size` > 0 is of the order of
+// each. There are `rows` residuals.
 // Standard errors are s sqrt(diag (J^T J)^-1), s^2 = sum r^2 / (rows - parameters) (Bates and Watts
 // 1988, 2.3). Throws InputError if there are fewer rows than parameters, if the rows do not
 // determine every parameter, or if the search does not converge.
-Fit LeastSquares(const Residuals& residuals, const Eigen::VectorXd& start, int rows);
+Fit LeastSquares(const Residuals& residuals, const Eigen::VectorXd& start,
+                 const Eigen::VectorXd& size, int rows);
 
 }  // namespace softsoil

@@ -85,7 +85,7 @@ Fit Search(const Model& model, const Eigen::Vector3d& start, StrengthBound bound
   const int rows = static_cast<int>(model.tau.size());
   if (bound == StrengthBound::kNone) {
     return LeastSquares([&](const VectorXd& u) { return model.Residuals(u[0], u[1], u[2]); }, start,
-                        rows);
+                        Eigen::Vector3d::Ones(), rows);
   }
   const bool no_cohesion = bound == StrengthBound::kNoCohesion;
   const double strength =
@@ -94,7 +94,7 @@ Fit Search(const Model& model, const Eigen::Vector3d& start, StrengthBound bound
       [&](const VectorXd& u) {
         return no_cohesion ? model.Residuals(0, u[0], u[1]) : model.Residuals(u[0], 0, u[1]);
       },
-      Eigen::Vector2d(strength, start[2]), rows);
+      Eigen::Vector2d(strength, start[2]), Eigen::Vector2d::Ones(), rows);
 }
 
 // From tan(phi) to phi; the error to first order.

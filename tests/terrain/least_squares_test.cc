@@ -20,7 +20,7 @@ VectorXd Decay(const VectorXd& p, const VectorXd& x) { return p[0] * (-p[1] * x.
 
 Fit FitDecay(const VectorXd& x, const VectorXd& y) {
   return LeastSquares([&](const VectorXd& p) -> VectorXd { return Decay(p, x) - y; },
-                      Vector2d(5e5, 0.5), static_cast<int>(x.size()));
+                      Vector2d(5e5, 0.5), Vector2d(1e6, 1), static_cast<int>(x.size()));
 }
 
 TEST(LeastSquares, RecoversTheParametersOfExactData) {
@@ -38,7 +38,7 @@ TEST(LeastSquares, GivesTheTextbookErrorsOfALine) {
   VectorXd y(5);
   y << 2.1, 3.9, 6.2, 7.8, 10.1;
   const Fit fit = LeastSquares([&](const VectorXd& p) -> VectorXd { return p[0] * x - y; },
-                               VectorXd::Constant(1, 1.0), 5);
+                               VectorXd::Ones(1), VectorXd::Ones(1), 5);
   const double slope = x.dot(y) / x.squaredNorm();
   const double error = std::sqrt((slope * x - y).squaredNorm() / 4 / x.squaredNorm());
   EXPECT_NEAR(fit.parameters[0], slope, 1e-9);
