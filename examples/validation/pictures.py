@@ -25,14 +25,19 @@ def draw_pulls(rows, axes):
         if row.thesis is not None:
             axes.plot([row.thesis], [place], "s", color=THESIS, markersize=6)
         axes.plot([row.ours], [place], "o", color=OURS, markersize=7)
+        if row.ours_rolling is not None:
+            axes.plot([row.ours_rolling], [place], "o", color=OURS, markersize=7, fillstyle="none")
     label_bars(axes, [row.case for row in rows])
     axes.axvline(0, color="black", linewidth=0.6)
     axes.set_xlabel("drawbar pull [kN]")
     axes.set_title("Tractor tires on Yolo loam (Wulfsohn and Upadhyaya)", loc="left", fontsize=11)
-    for marker, colour, name in (("|", MEASURED, "measured, with lugs"),
-                                 ("s", THESIS, "thesis' model"), ("o", OURS, "softsoil")):
-        axes.plot([], [], marker, color=colour, label=name, linestyle="none", markersize=9)
-    axes.legend(frameon=False, loc="lower right", fontsize=9)
+    for marker, colour, fill, name in (
+            ("|", MEASURED, "full", "measured, with lugs"), ("s", THESIS, "full", "thesis' model"),
+            ("o", OURS, "full", "softsoil, slip against the unloaded radius"),
+            ("o", OURS, "none", "softsoil, slip against the rolling radius")):
+        axes.plot([], [], marker, color=colour, label=name, linestyle="none", markersize=9,
+                  fillstyle=fill)
+    axes.legend(frameon=False, loc="upper left", fontsize=9)
 
 
 def draw_agreement(rows, axes, title, unit):

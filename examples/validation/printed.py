@@ -57,8 +57,8 @@ def read():
 def thesis_model(row, printed):
     """What the thesis' own model gives for a measured value, and at which slip [%].
 
-    The slips differ a little in places; the nearest counts. Of a pair without slips the first
-    stands for the lower slip.
+    Where it prints none for that slip, its neighbour counts that is closer to the measured value.
+    Of a pair without slips the first stands for the lower slip.
     """
     quantity = {"rut volume": "contact patch compaction volume"}.get(row.quantity, row.quantity)
     near = [p for p in printed
@@ -72,5 +72,8 @@ def thesis_model(row, printed):
                 and p.tire == row.tire and p.load == row.load and p.pressure == row.pressure]
         lower = row.slip == min(p.slip for p in pair)
         return near[0 if lower else 1].number, None
-    best = min(near, key=lambda p: abs(p.slip - row.slip))
+    below = max((p.slip for p in near if p.slip <= row.slip), default=None)
+    above = min((p.slip for p in near if p.slip >= row.slip), default=None)
+    neighbours = [p for p in near if p.slip in ((row.slip,) if below == above else (below, above))]
+    best = min(neighbours, key=lambda p: abs(p.number - row.number))
     return best.number, best.slip

@@ -20,6 +20,7 @@ class Row:
     measured: float = None
     thesis: float = None
     ours: float = None
+    ours_rolling: float = None  # with the slip against the rolling radius
     note: str = ""
     slip: float = None  # [%]
     speed: float = None  # [m/s]
@@ -66,14 +67,14 @@ def experiment_rows(printed, folder):
     """Wulfsohn and Upadhyaya's tests: the slips of one tire, soil and load in one run.
 
     Their slip may be against the unloaded or the rolling radius: the text does not say. The table
-    takes the former, as equation 4.8; at low slip the note tells what the latter gives.
+    takes the former, as equation 4.8; at low slip a column of its own tells what the latter gives.
     """
     groups = collections.defaultdict(list)
     for p in printed:
         if p.kind == "experiment" and p.quantity in COLUMNS:
             groups[(p.tire, p.soil, p.load, p.pressure)].append(p)
-    return sorted((row for group in groups.values() for row in rows_of_one_tire(group, printed, folder)),
-                  key=lambda row: row.id)
+    rows = [row for group in groups.values() for row in rows_of_one_tire(group, printed, folder)]
+    return sorted(rows, key=lambda row: row.id)
 
 
 def rows_of_one_tire(group, printed, folder):
@@ -89,7 +90,7 @@ def rows_of_one_tire(group, printed, folder):
         if p.quantity == "drawbar pull" and p.slip < LOW_SLIP:
             slip = undeflected(p.slip / 100, rolling)
             [again], _ = model.drawbar_rows(folder, p, [slip])
-            row.note = f"ours at this slip of the rolling radius {factor * again[column]:.3g}; " + row.note
+            row.ours_rolling = factor * again[column]
         yield row
 
 

@@ -2,7 +2,8 @@
 import csv
 
 HEADER = ["id", "section", "kind", "case", "quantity", "unit", "measured", "thesis' model", "ours",
-          "error of thesis' model [%]", "error of ours [%]", "note"]
+          "ours, slip of the rolling radius", "error of thesis' model [%]", "error of ours [%]",
+          "note"]
 
 
 def shown(value, digits=4):
@@ -15,7 +16,8 @@ def percent(value):
 
 def cells(row):
     return [str(row.id), row.section, row.kind, row.case, row.quantity, row.unit,
-            shown(row.measured), shown(row.thesis), shown(row.ours), percent(row.thesis_error),
+            shown(row.measured), shown(row.thesis), shown(row.ours), shown(row.ours_rolling),
+            percent(row.thesis_error),
             percent(row.our_error), row.note]
 
 
@@ -34,6 +36,6 @@ def write_markdown(rows, claims, path):
         lines.append(f"- {sentence}" + {None: "", True: "", False: " - NOT AS CLAIMED"}[holds])
     for kind in dict.fromkeys(row.kind for row in rows):
         lines += ["", f"## {kind}", "", "| " + " | ".join(HEADER[3:]) + " |",
-                  "|---|---|---|--:|--:|--:|--:|--:|---|"]
+                  "|---|---|---|--:|--:|--:|--:|--:|--:|---|"]
         lines += ["| " + " | ".join(cells(row)[3:]) + " |" for row in rows if row.kind == kind]
     path.write_text("\n".join(lines) + "\n")
