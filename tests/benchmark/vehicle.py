@@ -6,16 +6,16 @@
 With --keep the row is added to tests/benchmark/vehicle.csv. Run it on an idle machine.
 """
 import argparse
-import csv
-import datetime
 import json
 import pathlib
 import subprocess
 import tempfile
 
+from keep import keep, show
+
 HERE = pathlib.Path(__file__).resolve().parent
-COLUMNS = ["date", "machine", "threads", "simulated_time [s]", "real_time_factor", "volumes",
-           "bytes_per_volume", "bytes_per_column", "peak_memory [MB]"]
+COLUMNS = ["threads", "simulated_time [s]", "real_time_factor", "volumes", "bytes_per_volume",
+           "bytes_per_column", "peak_memory [MB]"]
 
 
 def measure(seconds):
@@ -33,20 +33,12 @@ def main():
     parser.add_argument("--keep", metavar="MACHINE")
     arguments = parser.parse_args()
     summary = measure(arguments.seconds)
-    row = [datetime.date.today().isoformat(), arguments.keep or "", summary["threads"],
-           summary["simulated_time"], round(summary["real_time_factor"], 2), summary["volumes"],
-           round(summary["bytes_per_volume"], 1), round(summary["bytes_per_column"], 1),
-           round(summary["peak_memory_mb"])]
-    for name, value in zip(COLUMNS, row):
-        print(f"{name:20} {value}")
+    row = [summary["threads"], summary["simulated_time"], round(summary["real_time_factor"], 2),
+           summary["volumes"], round(summary["bytes_per_volume"], 1),
+           round(summary["bytes_per_column"], 1), round(summary["peak_memory_mb"])]
+    show(COLUMNS, row)
     if arguments.keep:
-        table = HERE / "vehicle.csv"
-        is_new = not table.exists()
-        with table.open("a", newline="") as file:
-            writer = csv.writer(file)
-            if is_new:
-                writer.writerow(COLUMNS)
-            writer.writerow(row)
+        keep(HERE / "vehicle.csv", arguments.keep, COLUMNS, row)
 
 
 if __name__ == "__main__":
