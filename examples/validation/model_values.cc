@@ -17,8 +17,6 @@
 namespace softsoil {
 namespace {
 
-constexpr double kNodeSpacing = 0.002;  // [m]  fine enough that the load no longer depends on it
-
 // Identified from Table 3.2, as the thesis prints none of them: the length over which a wheel
 // presses on a place, and the two times.
 constexpr double kFootprint = 0.1891;        // [m]
@@ -26,10 +24,9 @@ constexpr double kCompressionTime = 0.2016;  // [s]
 constexpr double kReboundTime = 0.0042;      // [s]
 
 void PrintFlatPlate(const std::vector<double>& v) {
-  Tire tire{};
-  tire.shape = {v[0], v[1], v[2]};
-  tire.spring = {v[3], v[4], v[5], v[6]};
-  std::printf("%.10g\n", FlatPlateLoad(tire, v[7], kNodeSpacing));
+  const TireShape shape{v[0], v[1], v[2]};
+  const TireSpring spring{v[3], v[4], v[5], v[6]};
+  std::printf("%.10g\n", FlatPlateLoad(shape, spring, v[7]));
 }
 
 void PrintSoilVolume(const std::vector<double>& v) {
