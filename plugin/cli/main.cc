@@ -1,6 +1,7 @@
 // The program softsoil: runs scenes, lists what is shipped, identifies soils, starts other programs
 // with soil.
 #include <cstdio>
+#include <cstring>
 #include <exception>
 #include <string>
 
@@ -15,7 +16,17 @@ std::string BadUsage(const CLI::App*, const CLI::Error& error) {
   return std::string("softsoil: ") + error.what() + "; see softsoil --help\n";
 }
 
+// An empty value would count as one that is not given.
+void RefuseEmptyArguments(int argc, char** argv) {
+  for (int i = 1; i < argc && std::strcmp(argv[i], "--") != 0; ++i) {
+    if (*argv[i] == '\0') {
+      throw InputError(std::string("an argument is empty: the one after ") + argv[i - 1]);
+    }
+  }
+}
+
 int ParseAndRun(int argc, char** argv) {
+  RefuseEmptyArguments(argc, argv);
   CLI::App program("Soft soil under the wheels of any MuJoCo model.", "softsoil");
   program.set_version_flag("--version", SOFTSOIL_VERSION);
   program.require_subcommand(1);

@@ -3,16 +3,15 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <filesystem>
 #include <set>
 
 #include "plugin/cli/contact_log.h"
 #include "plugin/cli/mujoco_messages.h"
 #include "plugin/cli/npy.h"
-#include "plugin/cli/output_file.h"
 #include "plugin/cli/paths.h"
 #include "plugin/cli/picture.h"
 #include "plugin/cli/progress.h"
+#include "plugin/cli/result_folder.h"
 #include "plugin/cli/simulation.h"
 #include "plugin/cli/summary.h"
 #include "plugin/cli/wheel_log.h"
@@ -51,14 +50,6 @@ std::set<long> ContactSteps(const std::vector<double>& contact_times, double tim
   std::set<long> steps;
   for (const double time : contact_times) steps.insert(std::lround(time / time_step));
   return steps;
-}
-
-// Results of an earlier run would be taken for those of one that is killed.
-void RemoveOldResults(const std::string& folder) {
-  for (const char* name :
-       {"wheels.csv", "contact.csv", "terrain.npy", "summary.json", "terrain.png", "contact.png"}) {
-    std::filesystem::remove(folder + "/" + name);
-  }
 }
 
 // Steps a simulation to its end and collects what it tells of its wheels.
@@ -157,8 +148,10 @@ void Run(const RunOptions& options) {
   Controls controls;
   if (!options.controls.empty()) controls = Controls(options.controls, simulation.Actuators());
   simulation.GiveSoil(options.settings);
-  PrepareFolder(options.folder);
-  RemoveOldResults(options.folder);
+  const ResultFolder folder(
+      options.folder,
+      {"wheels.csv", "contact.csv", "terrain.npy", "summary.json", "terrain.png", "contact.png"},
+      {scene, options.controls});
 
   const RunResult result = Drive(simulation, controls, options).ToTheEnd();
   WriteTerrain(simulation, options.folder);

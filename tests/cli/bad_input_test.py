@@ -28,6 +28,8 @@ class BadInput(InAFolder):
                                "--contact-times", sentence)
         self.assertRefused([scene, "--time", 1, "--mode", "rock"], "rock", "flow", "compaction")
         self.assertRefused([scene, "--time", 1, "--colour", "red"], "--colour")
+        self.assertRefused([scene, "--time", 1, "--controls", ""],
+                           "an argument is empty: the one after --controls")
         self.assertRefused([scene, "--time", 1, "--set", "soil"], "KEY=VALUE", '"soil"')
         self.assertRefused([scene, "--time", 1, "--set", "soil=a b"], "KEY=VALUE", '"soil=a b"')
 

@@ -1,0 +1,48 @@
+#include "plugin/cli/result_folder.h"
+
+#include <fcntl.h>
+#include <sys/file.h>
+#include <unistd.h>
+
+#include <filesystem>
+
+#include "plugin/cli/output_file.h"
+#include "terrain/input_error.h"
+
+namespace softsoil {
+namespace {
+
+void RemoveOld(const std::string& path, const std::vector<std::string>& inputs) {
+  std::error_code error;
+  for (const std::string& input : inputs) {
+    if (std::filesystem::equivalent(path, input, error)) {
+      throw InputError(path + ": is an input, and a result would take its place");
+    }
+  }
+  if (!std::filesystem::is_directory(path, error)) std::filesystem::remove(path, error);
+  if (std::filesystem::exists(path, error)) {
+    throw InputError(path + ": cannot be replaced by a result");
+  }
+}
+
+}  // namespace
+
+ResultFolder::ResultFolder(const std::string& path, const std::vector<std::string>& names,
+                           const std::vector<std::string>& inputs) {
+  PrepareFolder(path);
+  lock_ = open(path.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  if (lock_ < 0 || flock(lock_, LOCK_EX | LOCK_NB) != 0) {
+    if (lock_ >= 0) close(lock_);
+    throw InputError(path + ": another softsoil is writing its results into this folder");
+  }
+  try {
+    for (const std::string& name : names) RemoveOld(path + "/" + name, inputs);
+  } catch (...) {
+    close(lock_);
+    throw;
+  }
+}
+
+ResultFolder::~ResultFolder() { close(lock_); }
+
+}  // namespace softsoil
