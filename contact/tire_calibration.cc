@@ -8,6 +8,7 @@
 #include <tuple>
 
 #include "contact/flat_plate.h"
+#include "terrain/constants.h"
 #include "terrain/input_error.h"
 #include "terrain/least_squares.h"
 
@@ -153,25 +154,6 @@ std::size_t BestForm(const std::vector<std::vector<SpringFit>>& fits_by_test, do
   return best;
 }
 
-CrownFit FitCrownRadius(const std::vector<double>& deflection, const std::vector<double>& width) {
-  const auto rows = static_cast<Eigen::Index>(deflection.size());
-  double start = 0;  // mean of the radii that fit one row each
-  for (Eigen::Index row = 0; row < rows; ++row) {
-    const double z = deflection[row], y = width[row] / 2;
-    start += (y * y / z + z) / 2 / static_cast<double>(rows);
-  }
-  const auto residuals = [&](const VectorXd& radius) {
-    VectorXd r(rows);
-    for (Eigen::Index row = 0; row < rows; ++row) {
-      r[row] = FlatPlateWidth(radius[0], deflection[row]) - width[row];
-    }
-    return r;
-  };
-  const Fit fit = LeastSquares(residuals, VectorXd::Constant(1, start),
-                               VectorXd::Constant(1, start), static_cast<int>(rows));
-  return {fit.parameters[0], fit.confidence[0], fit.rms};
-}
-
 PlateStiffness StiffnessUnder(double load, const TireShape& shape, const TireSpring& spring) {
   const auto excess = [&](double z) { return FlatPlateLoad(shape, spring, z) - load; };
   const double deepest = 0.9 * shape.radius;
@@ -187,7 +169,6 @@ PlateStiffness StiffnessUnder(double load, const TireShape& shape, const TireSpr
 }
 
 double EstimatedDamping(double ratio, double load, const PlateStiffness& stiffness) {
-  constexpr double kGravity = 9.80665;  // [m/s^2]
   return 2 * ratio * std::sqrt(stiffness.stiffness * load / kGravity) / stiffness.area;
 }
 

@@ -1,5 +1,4 @@
-// From measurements on a flat plate to the parameters of a tire: the crown radius from contact
-// widths, the spring from loads. Section 4.2.
+// From loads on a flat plate to the spring of a tire, and to its damping. Section 4.2.
 #pragma once
 
 #include <array>
@@ -20,8 +19,8 @@ const std::array<SpringForm, 5>& SpringForms();
 
 // Of one inflation pressure.
 struct LoadDeflection {
-  std::vector<double> deflection;  // [m]  z, > 0 and < r
-  std::vector<double> load;        // [N]  >= 0
+  std::vector<double> deflection;  // [m]  z, >= 0 and < r
+  std::vector<double> load;        // [N]  >= 0; 0 at z = 0
 };
 
 struct SpringFit {
@@ -39,6 +38,12 @@ struct SpringFit {
 // fit is made, and of those that come out positive the best is taken. That is the constrained
 // minimum, for there the terms that are not zero are unconstrained. Throws InputError if there are
 // fewer rows than terms, or if the rows do not determine a spring.
+//
+// The rows determine the load: a dozen with noise of 2 % give it within 5 % from half the deepest
+// deflection on, in every form. They hardly determine the terms of a form of several, whose loads
+// run nearly parallel: from the same dozen the 95 % interval of the linear term of the 18.4R38's
+// linear + root spring (Table 6.1) is half of its value to either side, and it takes thousands of
+// rows to have each within 5 %. `confidence` tells.
 SpringFit FitSpring(const SpringForm& form, const TireShape& shape, const LoadDeflection& test);
 
 // All five, in the order of SpringForms().
@@ -53,15 +58,6 @@ std::size_t BestForm(const std::vector<std::vector<SpringFit>>& fits_by_test, do
 
 // Whether the fits of a form have the same terms in every test.
 bool HasTheSameTerms(const std::vector<std::vector<SpringFit>>& fits_by_test, std::size_t form);
-
-struct CrownFit {
-  double crown_radius;  // [m]  r_beta
-  double confidence;    // [m]  half width of the 95 % interval
-  double rms;           // [m]  root of the mean squared error of the width
-};
-// The crown radius with the least squared error of the contact width [m] over the deflection [m]:
-// equations 4.20 to 4.22, where 4.20 takes for the width what is half of it, y_max.
-CrownFit FitCrownRadius(const std::vector<double>& deflection, const std::vector<double>& width);
 
 // How a tire that is pressed onto a plate by `load` [N] swings.
 struct PlateStiffness {

@@ -19,6 +19,10 @@ void RequireBelowRadius(const Measurements& table, std::size_t row, double z, do
 // Adds a row to the test of its pressure. Throws if it does not go on from the row before.
 void Add(const Measurements& table, std::size_t row, LoadDeflection* test) {
   const double z = table.Column("deflection")[row], load = table.Column("load")[row];
+  if (z == 0 && load > 0) {
+    table.Refuse(row, "load must be 0 N at deflection 0, where the tire only touches, got " +
+                          Shown(load) + " N");
+  }
   if (!test->deflection.empty()) {
     if (z <= test->deflection.back()) {
       table.Refuse(row, "deflection must rise from row to row, got " + Shown(z) + " m after " +
@@ -39,10 +43,10 @@ void RequireEnough(const std::string& file, const PressureTest& test) {
   const std::size_t rows = test.rows.load.size();
   const std::string place =
       test.inflation_pressure > 0 ? "at " + Shown(test.inflation_pressure / 1e3) + " kPa " : "";
-  if (rows < kLeastRows) {
-    throw InputError(file + ": " + place + "there must be at least " + std::to_string(kLeastRows) +
-                     " rows, one more than the largest form of spring has terms, got " +
-                     std::to_string(rows));
+  if (rows < kLeastRowsPerPressure) {
+    throw InputError(
+        file + ": " + place + "there must be at least " + std::to_string(kLeastRowsPerPressure) +
+        " rows, one more than the largest form of spring has terms, got " + std::to_string(rows));
   }
   if (*std::max_element(test.rows.load.begin(), test.rows.load.end()) <= 0) {
     throw InputError(file + ": " + place + "there must be a load > 0 N");

@@ -9,7 +9,7 @@
 namespace softsoil {
 
 // One more than the largest form of spring has terms: fewer leave nothing to judge a fit by.
-constexpr std::size_t kLeastRows = 4;
+constexpr std::size_t kLeastRowsPerPressure = 4;
 
 struct PressureTest {
   double inflation_pressure;  // [Pa]  0 if the file does not say
@@ -17,9 +17,10 @@ struct PressureTest {
 };
 
 // The columns deflection and load, and inflation_pressure where the file has several tests, which
-// are returned by rising pressure. Throws InputError with file and row: fewer than kLeastRows rows
-// of a pressure; deflections that do not rise from row to row of a pressure, are negative or not
-// below `radius` [m]; loads that are negative or, beyond noise, fall as the deflection rises.
+// are returned by rising pressure. Throws InputError with file and row: fewer than
+// kLeastRowsPerPressure rows of a pressure; deflections that do not rise from row to row of a
+// pressure, are negative or not below `radius` [m]; loads that are negative, not 0 at deflection 0
+// or, beyond noise, fall as the deflection rises.
 std::vector<PressureTest> ReadLoadDeflection(const std::string& file, double radius);
 
 struct ContactWidths {

@@ -9,6 +9,7 @@
 #include "contact/tire_family.h"
 #include "plugin/log.h"
 #include "plugin/models_folder.h"
+#include "terrain/constants.h"
 #include "terrain/input_error.h"
 
 namespace softsoil {
@@ -102,10 +103,9 @@ Tire AutoTire(const Wheel& wheel, double load) {
   const double z = kDeflection * wheel.radius;
   tire.spring.linear = load / FlatPlateLoad(tire, z, wheel.radius / 100);
 
-  const double gravity = 9.81;  // [m/s^2]  only for the size of the damping
   const double stiffness = load / z;
   const double area = load / SpringPressure(tire.spring, kMeanPenetration * z);
-  tire.damping = 2 * kDampingRatio * std::sqrt(stiffness * load / gravity) / area;
+  tire.damping = 2 * kDampingRatio * std::sqrt(stiffness * load / kGravity) / area;
   return tire;
 }
 

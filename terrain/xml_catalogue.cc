@@ -168,10 +168,11 @@ void XmlEntry::RefuseUnread() const {
   }
 }
 
-void ForEachEntry(const std::string& file, const std::string& kind,
-                  const std::function<void(XmlEntry&)>& read) {
-  tinyxml2::XMLDocument document;
-  if (document.LoadFile(file.c_str()) != tinyxml2::XML_SUCCESS) {
+namespace {
+
+void ForEachEntryOf(const tinyxml2::XMLDocument& document, const std::string& file,
+                    const std::string& kind, const std::function<void(XmlEntry&)>& read) {
+  if (document.Error()) {
     const int line = document.ErrorLineNum();
     throw InputError(file + (line > 0 ? ":" + std::to_string(line) : "") + ": " +
                      InWords(document.ErrorID()));
@@ -194,6 +195,22 @@ void ForEachEntry(const std::string& file, const std::string& kind,
     read(entry);
     entry.RefuseUnread();
   }
+}
+
+}  // namespace
+
+void ForEachEntry(const std::string& file, const std::string& kind,
+                  const std::function<void(XmlEntry&)>& read) {
+  tinyxml2::XMLDocument document;
+  document.LoadFile(file.c_str());
+  ForEachEntryOf(document, file, kind, read);
+}
+
+void ForEachEntryIn(const std::string& text, const std::string& file, const std::string& kind,
+                    const std::function<void(XmlEntry&)>& read) {
+  tinyxml2::XMLDocument document;
+  document.Parse(text.c_str(), text.size());
+  ForEachEntryOf(document, file, kind, read);
 }
 
 std::vector<std::string> XmlFilesIn(const std::string& folder) {

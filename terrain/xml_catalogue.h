@@ -65,6 +65,10 @@ class XmlEntry {
 void ForEachEntry(const std::string& file, const std::string& kind,
                   const std::function<void(XmlEntry&)>& read);
 
+// The same for the text of a file that is not there yet.
+void ForEachEntryIn(const std::string& text, const std::string& file, const std::string& kind,
+                    const std::function<void(XmlEntry&)>& read);
+
 // All *.xml files of a folder, sorted by name. Throws if there is no such folder.
 std::vector<std::string> XmlFilesIn(const std::string& folder);
 
@@ -80,12 +84,11 @@ class Catalogue {
 
   // Adds all entries of a file. Throws InputError, also if a name is taken already.
   void AddFile(const std::string& file) {
-    ForEachEntry(file, kind_, [this](XmlEntry& xml) {
-      if (Lookup(xml.name()) != nullptr) xml.Refuse("this name is taken already");
-      Entry fresh = reader_(xml);
-      if (check_ != nullptr) check_(entries_, fresh, xml);
-      entries_.push_back(std::move(fresh));
-    });
+    ForEachEntry(file, kind_, [this](XmlEntry& xml) { Add(xml); });
+  }
+  // The same for the text of a file that is not there yet.
+  void AddText(const std::string& text, const std::string& file) {
+    ForEachEntryIn(text, file, kind_, [this](XmlEntry& xml) { Add(xml); });
   }
   // Adds all *.xml files of a folder.
   void AddFolder(const std::string& folder) {
@@ -108,6 +111,13 @@ class Catalogue {
   const std::vector<Entry>& entries() const { return entries_; }
 
  private:
+  void Add(XmlEntry& xml) {
+    if (Lookup(xml.name()) != nullptr) xml.Refuse("this name is taken already");
+    Entry fresh = reader_(xml);
+    if (check_ != nullptr) check_(entries_, fresh, xml);
+    entries_.push_back(std::move(fresh));
+  }
+
   const Entry* Lookup(const std::string& name) const {
     for (const Entry& entry : entries_) {
       if (entry.name == name) return &entry;

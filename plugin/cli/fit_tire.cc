@@ -8,11 +8,12 @@
 
 #include "contact/tire_family.h"
 #include "plugin/cli/catalogues.h"
+#include "plugin/cli/entry_output.h"
 #include "plugin/cli/fit_tire_entry.h"
 #include "plugin/cli/fit_tire_table.h"
-#include "plugin/cli/output_file.h"
 #include "plugin/cli/picture.h"
 #include "plugin/cli/standard_output.h"
+#include "plugin/settings.h"
 #include "terrain/input_error.h"
 
 namespace softsoil {
@@ -45,26 +46,17 @@ void CheckNumbers(const FitTireOptions& options) {
   }
 }
 
-// Before anything is written, but after all else has been found good.
-void PrepareFiles(const FitTireOptions& options) {
-  for (const std::string& file : {options.out, options.picture}) {
-    if (file.empty()) continue;
-    if (fs::is_directory(file)) throw InputError(file + ": is a folder, not a file");
-    if (fs::exists(file) && !options.force) {
-      throw InputError(file + ": is there already; --force overwrites it");
-    }
-    const fs::path folder = fs::path(file).parent_path();
-    PrepareFolder(folder.empty() ? "." : folder.string());
-  }
+std::vector<std::string> TakenNames(const Catalogue<Tire>& tires) {
+  std::vector<std::string> taken = {kAutoTire};
+  for (const Tire& tire : tires.entries()) taken.push_back(tire.name);
+  for (const TireFamily& family : TireFamilies(tires)) taken.push_back(family.name);
+  return taken;
 }
 
 // What an entry needs beyond the data.
-void CheckEntry(const FitTireOptions& options) {
-  if (options.out.empty()) return;
-  if (options.name.empty()) throw InputError("--out needs --name, the name of the entry");
-  if (options.name.find(kAtPressure) != std::string::npos) {
-    throw InputError("--name must not hold an @, got \"" + options.name + "\"");
-  }
+void CheckEntry(const FitTireOptions& options, const Catalogue<Tire>& tires) {
+  if (!options.out) return;
+  RequireEntryName(options.name, "tire", TakenNames(tires));
   if (!options.damping && !options.load) {
     throw InputError("--out needs --damping, or --load to estimate it");
   }
@@ -117,10 +109,9 @@ struct Friction {
   std::string source;
 };
 
-Friction FrictionOf(const FitTireOptions& options) {
+Friction FrictionOf(const FitTireOptions& options, const Catalogue<Tire>& tires) {
   if (options.friction) return {*options.friction, "given to softsoil fit-tire"};
   if (options.like.empty()) return {0, ""};
-  const Catalogue<Tire> tires = TiresWith();
   return {At("--like", [&] { return FindTire(tires, options.like); }).soil_friction,
           "that of " + options.like};
 }
@@ -140,6 +131,14 @@ std::string SetDamping(const FitTireOptions& options, Tire* tire) {
 }
 
 std::string FileName(const std::string& path) { return fs::path(path).filename(); }
+
+std::string ShapeSource(const FitTireOptions& options, const FittedTire& fitted) {
+  if (!fitted.crown) return "size given to softsoil fit-tire";
+  const std::string source =
+      "size given; crown radius fitted to " + FileName(options.contact_width);
+  if (!std::isfinite(fitted.crown->plateau)) return source;
+  return source + ", widths up to " + Rounded(fitted.crown->plateau, 4) + " m";
+}
 
 std::string EntriesOf(const FitTireOptions& options, const FittedTire& fitted,
                       const Friction& friction) {
@@ -166,53 +165,37 @@ std::string EntriesOf(const FitTireOptions& options, const FittedTire& fitted,
     std::snprintf(error, sizeof error, " rows, rms error %.3g N; ", fit.rms);
     tires.push_back(tire);
     sources.push_back(
-        {fitted.crown ? "size given; crown radius fitted to " + FileName(options.contact_width)
-                      : "size given to softsoil fit-tire",
+        {ShapeSource(options, fitted),
          "fitted to " + data + ", " + std::to_string(test.rows.load.size()) + error + damping,
          friction.source, data});
   }
   return TireFileText(tires, sources);
 }
 
-void DrawFits(const FitTireOptions& options, const FittedTire& tire, const std::string& python) {
-  const std::string title = options.name.empty() ? FileName(options.data) : options.name;
-  const std::string numbers = options.picture + ".json";
-  try {
-    OutputFile json(numbers);
-    json.Write(FitsAsJson(tire, title));
-    json.Finish();
-    Draw(python, "tire_fit.py", {numbers, options.picture}, options.picture);
-  } catch (...) {
-    std::remove(numbers.c_str());
-    throw;
-  }
-  std::remove(numbers.c_str());
+// The catalogue with these entries: what a scene refuses is refused here.
+void RequireReadable(Catalogue<Tire> tires, const std::string& entries, const std::string& file) {
+  At("the entries must be such as a scene can use", [&] { tires.AddText(entries, file); });
 }
 
 }  // namespace
 
 void FitTire(const FitTireOptions& options) {
   CheckNumbers(options);
-  CheckEntry(options);
+  const EntryFiles files = EntryFilesOf({options.out, options.picture, options.no_picture}, true);
+  const Catalogue<Tire> tires = TiresWith(options.tire_files);
+  CheckEntry(options, tires);
   FittedTire tire{};
   FitShape(options, &tire);
   FitSpringsOf(options, &tire);
-  const Friction friction = FrictionOf(options);
-  const std::string entries = options.out.empty() ? "" : EntriesOf(options, tire, friction);
-  const std::string python = options.picture.empty() ? "" : PythonThatPlots();
-  PrepareFiles(options);
+  const Friction friction = FrictionOf(options, tires);
+  const std::string entries = options.out ? EntriesOf(options, tire, friction) : "";
+  if (options.out) RequireReadable(tires, entries, *options.out);
+  const std::string python = files.picture.empty() ? "" : PythonThatPlots();
+  PrepareEntryFiles(files, options.force);
 
   PrintFits(tire);
-  if (!options.picture.empty()) {
-    DrawFits(options, tire, python);
-    std::printf("%s: data and fits\n", options.picture.c_str());
-  }
-  if (!options.out.empty()) {
-    OutputFile file(options.out);
-    file.Write(entries);
-    file.Finish();
-    std::printf("%s: the %s spring\n", options.out.c_str(), SpringForms()[tire.chosen].name);
-  }
+  const std::string title = options.name.empty() ? FileName(options.data) : options.name;
+  WriteEntryFiles(files, {entries, FitsAsJson(tire, title)}, python, "tire_fit.py");
   FlushStandardOutput();
 }
 

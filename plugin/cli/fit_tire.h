@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "contact/tire_crown.h"
 #include "contact/tire_measurements.h"
 
 namespace softsoil {
@@ -15,14 +16,16 @@ struct FitTireOptions {
   double radius = 0, width = 0;        // [m]
   std::optional<double> crown_radius;  // [m]
   bool cylinder = false;
-  std::string spring;              // name of the form to write; empty: the best
-  std::string name;                // of the entry, or of the family of entries
-  std::optional<double> damping;   // [Pa s/m]
-  std::optional<double> load;      // [N]  on the tire, to estimate the damping
-  std::optional<double> friction;  // [-]  between tire and soil
-  std::string like;                // tire whose friction is taken
-  std::string out, picture;        // files; empty: none
-  bool force = false;              // overwrite these files
+  std::string spring;                       // name of the form to write; empty: the best
+  std::string name;                         // of the entry, or of the family of entries
+  std::optional<double> damping;            // [Pa s/m]
+  std::optional<double> load;               // [N]  on the tire, to estimate the damping
+  std::optional<double> friction;           // [-]  between tire and soil
+  std::string like;                         // tire whose friction is taken
+  std::vector<std::string> tire_files;      // catalogues besides the shipped one
+  std::optional<std::string> out, picture;  // files
+  bool no_picture = false;                  // none beside --out
+  bool force = false;                       // overwrite these files
 };
 
 // What the data give.

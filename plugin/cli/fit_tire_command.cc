@@ -36,9 +36,13 @@ void AddFitTireCommand(CLI::App& program) {
       "Load on the tire [N]; the damping is estimated as 0.05 of critical under it");
   command->add_option("--friction", o.friction, "Friction between tire and soil [-]");
   command->add_option("--like", o.like, "Tire of the catalogue whose friction is taken");
+  command->add_option("--tire-file", o.tire_files, "XML file with more tires")
+      ->allow_extra_args(false);
   command->add_option("--out", o.out, "XML file to write the entries to");
+  command->add_option("--picture", o.picture, "PNG file: data and fits; beside --out if left out");
+  command->add_flag("--no-picture", o.no_picture,
+                    "Do not draw it, which needs python3 with matplotlib");
   command->add_flag("--force", o.force, "Overwrite files that are there");
-  command->add_option("--picture", o.picture, "PNG file to draw data and fits in");
   command->get_option("--damping")->excludes("--load");
   command->get_option("--friction")->excludes("--like");
   command->callback([options] { FitTire(*options); });

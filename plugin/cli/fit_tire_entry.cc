@@ -3,7 +3,6 @@
 #include <tinyxml2.h>
 
 #include <cmath>
-#include <cstdio>
 
 #include "terrain/input_error.h"
 
@@ -12,15 +11,8 @@ namespace {
 
 using tinyxml2::XMLPrinter;
 
-double Rounded(double value) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.7g", value);
-  double rounded = 0;
-  return ParseNumber(text, &rounded) ? rounded : value;
-}
-
 void Push(XMLPrinter* xml, const char* name, double value) {
-  xml->PushAttribute(name, Shown(Rounded(value)).c_str());
+  xml->PushAttribute(name, Rounded(value, 7).c_str());
 }
 
 void Close(XMLPrinter* xml, const std::string& source) {

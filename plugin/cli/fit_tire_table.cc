@@ -29,6 +29,9 @@ void PrintShape(const FittedTire& tire) {
   if (tire.crown) {
     std::printf(" +- %.2g m from contact widths, rms %.2g mm", tire.crown->confidence,
                 1e3 * tire.crown->rms);
+    if (std::isfinite(tire.crown->plateau)) {
+      std::printf(", which grow to %.4g m and no more", tire.crown->plateau);
+    }
   }
   std::printf("\n");
 }

@@ -14,7 +14,6 @@ namespace {
 using tinyxml2::XMLElement;
 
 constexpr double kSprungShare = 0.9, kUnsprungShare = 0.05;  // [-]  of the mass, 6.3.1
-constexpr double kGravity = 9.81;                            // [m/s^2]  MuJoCo's default
 // Rim of the 18.4R38, 38 in by 16 in, in a tire of 1.82 m by 18.4 in.
 constexpr double kRimPerRadius = 0.4826 / 0.91, kRimPerWidth = 16 / 18.4;
 constexpr double kServoPerLoad = 1e6;  // [N s/m per N], [N m s per N m]

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "plugin/cli/catalogues.h"
-#include "plugin/cli/output_file.h"
+#include "plugin/cli/entry_output.h"
 #include "plugin/cli/picture.h"
 #include "plugin/cli/soil_report.h"
 #include "plugin/cli/standard_output.h"
@@ -104,59 +104,11 @@ std::string Remedies(const SoilEvidence& evidence, const std::vector<std::string
   return text;
 }
 
-// A setting of softsoil run holds names separated by commas, and settings by blanks.
 void RequireName(const std::string& name) {
-  if (name.empty()) throw InputError("--out needs --name: the name of the soil");
-  if (name.find_first_of(" \t\n,;=") != std::string::npos) {
-    throw InputError("--name must hold no blank, comma, semicolon or =, got \"" + name + "\"");
-  }
+  std::vector<std::string> taken;
   const Catalogue<Soil> shipped = SoilsWith();
-  for (const Soil& known : shipped.entries()) {
-    if (known.name == name) throw InputError("--name " + name + ": this name is taken already");
-  }
-}
-
-struct Outputs {
-  std::string xml, picture, json;  // empty: not wanted
-};
-
-void RequireFree(const std::string& file, bool force) {
-  if (fs::is_directory(file)) throw InputError(file + ": is a folder, not a file");
-  if (fs::exists(file) && !force)
-    throw InputError(file + ": is there already; --force overwrites it");
-  const fs::path folder = fs::path(file).parent_path();
-  PrepareFolder(folder.empty() ? "." : folder.string());
-}
-
-void RequireEnding(const std::optional<std::string>& file, const char* option, const char* ending) {
-  if (!file || fs::path(*file).extension() == ending) return;
-  throw InputError(std::string(option) + " must end in " + ending + ", got \"" + *file + "\"");
-}
-
-Outputs OutputsOf(const SoilOptions& options) {
-  RequireEnding(options.out, "--out", ".xml");
-  RequireEnding(options.picture, "--picture", ".png");
-  Outputs outputs;
-  if (options.out) outputs.xml = *options.out;
-  const bool tested = options.plate || options.shear;
-  if (options.picture && !tested) throw InputError("--picture needs --plate or --shear");
-  if (options.picture) {
-    outputs.picture = *options.picture;
-  } else if (options.out && tested && !options.no_picture) {
-    outputs.picture = fs::path(*options.out).replace_extension(".png");
-  }
-  const std::string beside = outputs.picture.empty() ? outputs.xml : outputs.picture;
-  if (!beside.empty()) outputs.json = fs::path(beside).replace_extension(".json");
-  for (const std::string& file : {outputs.xml, outputs.picture, outputs.json}) {
-    if (!file.empty()) RequireFree(file, options.force);
-  }
-  return outputs;
-}
-
-void WriteWhole(const std::string& path, const std::string& text) {
-  OutputFile file(path);
-  file.Write(text);
-  file.Finish();
+  for (const Soil& known : shipped.entries()) taken.push_back(known.name);
+  RequireEntryName(name, "soil", taken);
 }
 
 void RequireComplete(const SoilOptions& options, const SoilEvidence& evidence,
@@ -179,21 +131,6 @@ void Print(const SoilEvidence& evidence, const IdentifiedSoil& soil) {
   std::printf("\nfor an entry besides: %s\n", Remedies(evidence, soil.missing).c_str());
 }
 
-// The entry last: where it is, the rest is too.
-void Write(const Outputs& outputs, const std::string& python, const IdentifiedSoil& soil,
-           const std::string& report) {
-  if (outputs.json.empty()) return;
-  WriteWhole(outputs.json, report);
-  if (!outputs.picture.empty()) {
-    Draw(python, "soil_tests.py", {outputs.json, outputs.picture}, outputs.picture);
-  }
-  if (!outputs.xml.empty()) WriteWhole(outputs.xml, SoilXml(soil.entry));
-  std::printf("\n");
-  for (const std::string& file : {outputs.xml, outputs.picture, outputs.json}) {
-    if (!file.empty()) std::printf("written: %s\n", file.c_str());
-  }
-}
-
 }  // namespace
 
 void IdentifySoil(const SoilOptions& options) {
@@ -205,11 +142,16 @@ void IdentifySoil(const SoilOptions& options) {
   soil.entry.soil.name = options.name;
   soil.entry.soil.description = options.description;
   RequireComplete(options, evidence, soil);
-  const Outputs outputs = OutputsOf(options);
-  const std::string python = outputs.picture.empty() ? "" : PythonThatPlots();
+  const bool is_tested = options.plate || options.shear;
+  if (options.picture && !is_tested) throw InputError("--picture needs --plate or --shear");
+  const EntryFiles files =
+      EntryFilesOf({options.out, options.picture, options.no_picture}, is_tested);
+  const std::string python = files.picture.empty() ? "" : PythonThatPlots();
+  PrepareEntryFiles(files, options.force);
 
   Print(evidence, soil);
-  Write(outputs, python, soil, JsonOf(soil, evidence, tests));
+  const std::string entry = files.xml.empty() ? "" : SoilXml(soil.entry);
+  WriteEntryFiles(files, {entry, JsonOf(soil, evidence, tests)}, python, "soil_tests.py");
   FlushStandardOutput();
 }
 

@@ -1,4 +1,6 @@
 """softsoil fit-tire: from load-deflection data to a tire that a scene can use."""
+import json
+import math
 import pathlib
 import unittest
 import xml.etree.ElementTree as ET
@@ -76,27 +78,79 @@ class FitTire(InAFolder):
         self.assertEqual(tire.find("spring").get("damping"), "5000")
         self.assertIsNone(tire.find("inflation"))
 
-    def test_draws_a_picture_and_leaves_nothing_else(self):
-        picture = self.folder / "fit.png"
-        self.assertFits(LOADS, *TORUS, "--picture", picture)
+    def test_draws_a_picture_and_keeps_its_numbers(self):
+        picture, numbers = self.folder / "fit.png", self.folder / "fit.json"
+        said = self.assertFits(LOADS, *TORUS, "--picture", picture)
         self.assertEqual(picture.read_bytes()[:4], b"\x89PNG")
         self.assertGreater(picture.stat().st_size, 20000)
-        self.assertEqual(list(self.folder.iterdir()), [picture])
+        self.assertEqual(len(json.loads(numbers.read_text())["tests"]), 2)
+        self.assertEqual(set(self.folder.iterdir()), {picture, numbers})
+        self.assertEqual(said.splitlines()[-2:], [f"written: {picture}", f"written: {numbers}"])
+
+    def test_draws_beside_the_entry_unless_told_not_to(self):
+        out = self.folder / "mine.xml"
+        self.assertFits(LOADS, *TORUS, *ENTRY, "--out", out)
+        self.assertEqual(self.names(), {"mine.xml", "mine.png", "mine.json"})
+        self.assertFits(LOADS, *TORUS, *ENTRY, "--out", self.folder / "2/mine.xml", "--no-picture")
+        self.assertEqual({path.name for path in (self.folder / "2").iterdir()},
+                         {"mine.xml", "mine.json"})
+
+    def names(self):
+        return {path.name for path in self.folder.iterdir()}
 
     def test_overwrites_only_by_force(self):
-        out = self.write("mine.xml", "precious")
-        self.assertRefused([LOADS, *TORUS, *ENTRY, "--out", out],
-                           f"{out}: is there already; --force overwrites it")
-        self.assertRefused([LOADS, *TORUS, "--picture", out], f"{out}: is there already")
-        self.assertRefused([LOADS, *TORUS, "--picture", self.folder], "is a folder, not a file")
-        self.assertEqual(out.read_text(), "precious")
+        out = self.folder / "mine.xml"
+        for name in ("mine.xml", "mine.png", "mine.json", "mine.png.json"):
+            self.write(name, "precious")
+            if name == "mine.png.json":
+                continue
+            self.assertRefused([LOADS, *TORUS, *ENTRY, "--out", out],
+                               ": is there already; --force overwrites it")
+            self.assertEqual((self.folder / name).read_text(), "precious")
+            (self.folder / name).unlink()
+        (self.folder / "a.png").mkdir()
+        self.assertRefused([LOADS, *TORUS, "--picture", self.folder / "a.png"], "is a folder")
+        self.write("mine.xml", "precious")
         self.assertFits(LOADS, *TORUS, *ENTRY, "--out", out, "--force")
         self.assertIn("<tires>", out.read_text())
+        self.assertEqual((self.folder / "mine.png.json").read_text(), "precious")
+
+    def test_fits_the_crown_below_the_width_of_the_tread(self):
+        widths = "deflection [m], contact_width [m]\n" + "".join(
+            f"{z}, {min(0.467, 2 * math.sqrt(z * (2 * 0.661 - z)))}\n"
+            for z in (0.02, 0.025, 0.03, 0.035, 0.04, 0.05, 0.06, 0.08, 0.1))
+        said = self.assertFits(LOADS, *SIZE, "--contact-width", self.write("w.csv", widths))
+        self.assertIn("crown radius 0.661 m", said)
+        self.assertIn("which grow to 0.467 m and no more", said)
+        flat = self.write("flat.csv", "deflection [m], contact_width [m]\n" + "".join(
+            f"{z}, 0.467\n" for z in (0.05, 0.06, 0.08, 0.1)))
+        self.assertRefused([LOADS, *SIZE, "--contact-width", flat],
+                           "flat.csv: the contact widths do not tell the crown radius")
+
+    def test_takes_the_friction_of_a_tire_in_another_file(self):
+        other, out = self.folder / "other.xml", self.folder / "mine.xml"
+        self.assertFits(LOADS, *TORUS, *ENTRY[:1], "other", *ENTRY[2:4], "--friction", 0.55,
+                        "--out", other, "--no-picture")
+        like = ["--load", 18000, "--like", "other_85kPa", "--tire-file", other]
+        self.assertFits(LOADS, *TORUS, "--name", "mine", *like, "--out", out)
+        friction = ET.parse(out).getroot()[0].find("friction")
+        self.assertEqual(friction.get("coefficient"), "0.55")
+        self.assertEqual(friction.get("source"), "that of other_85kPa")
+        third = ["--out", self.folder / "third.xml"]
+        self.assertRefused([LOADS, *TORUS, "--name", "other", *like, *third], "taken already")
+        self.assertRefused([LOADS, *TORUS, "--name", "third", *like[:-2], *third], "unknown tire")
+
+    def test_writes_no_entry_that_a_scene_would_refuse(self):
+        out = ["--out", self.folder / "mine.xml"]
+        for name in ("a b", "c=d", "18.4R38", "18.4R38_85kPa", "auto"):
+            self.assertRefused([LOADS, *TORUS, *out, "--name", name, *ENTRY[2:]], "--name")
+        near = LOADS.read_text().replace("\n125,", "\n85.05,")
+        self.assertRefused([self.write("near.csv", near), *TORUS, *out, *ENTRY],
+                           "mine.xml:", '"mine_85kPa" is the tire of the family "mine" at 85.05')
 
     def test_python_without_matplotlib(self):
         self.write("matplotlib.py", "raise ImportError")
         done = softsoil("fit-tire", LOADS, *TORUS, *ENTRY, "--out", self.folder / "mine.xml",
-                        "--picture", self.folder / "fit.png",
                         environment={"PYTHONPATH": str(self.folder)})
         self.assertFails(done, BAD_INPUT, "matplotlib")
         self.assertEqual([path.name for path in self.folder.iterdir()], ["matplotlib.py"])
@@ -113,7 +167,7 @@ class FitTire(InAFolder):
     def test_an_entry_needs_what_the_data_do_not_tell(self):
         out = ["--out", self.folder / "mine.xml"]
         self.assertRefused([LOADS, *TORUS, *out], "--out needs --name")
-        self.assertRefused([LOADS, *TORUS, *out, "--name", "a@b"], "must not hold an @")
+        self.assertRefused([LOADS, *TORUS, *out, "--name", "a@b"], "must hold no blank, comma")
         self.assertRefused([LOADS, *TORUS, *out, "--name", "mine"], "--damping, or --load")
         self.assertRefused([LOADS, *TORUS, *out, "--name", "mine", "--damping", 0], "--friction")
         self.assertRefused([LOADS, *TORUS, *out, *ENTRY[:-1], "moon"],
@@ -125,12 +179,14 @@ class FitTire(InAFolder):
     def test_bad_data(self):
         def refused(text, *sentences):
             out = self.folder / "mine.xml"
-            self.assertRefused([self.write("t.csv", text), *TORUS, *ENTRY, "--out", out], *sentences)
+            data = self.write("t.csv", text)
+            self.assertRefused([data, *TORUS, *ENTRY, "--out", out], *sentences)
 
         refused(ONE_TEST.replace(" [kN]", ""), "t.csv:1: column load must state its unit")
         refused(ONE_TEST.replace("5, 8.5", "3, 8.5"), "t.csv:4: deflection must rise")
         refused(ONE_TEST.replace("5, 8.5", "5, 1"), "t.csv:4: load must rise with deflection")
         refused(ONE_TEST.replace("5, 8.5", "5, -1"), "t.csv:4: load must be >= 0 N, got -1000 N")
+        refused(ONE_TEST.replace("1, 0.79", "0, 0.79"), "t.csv:2: load must be 0 N at deflection 0")
         refused(ONE_TEST.replace("9, 20", "99, 20"), "t.csv:6: deflection must be < the tire's")
         refused("\n".join(ONE_TEST.splitlines()[:4]), "t.csv: there must be at least 4 rows")
         self.assertRefused([self.folder / "no.csv", *TORUS], "no.csv: cannot read")

@@ -99,6 +99,16 @@ TEST(TireFile, FillsEveryField) {
   EXPECT_TRUE(std::isinf(Read(kCylinder).shape.crown_radius));
 }
 
+TEST(TireFile, MayBeATextThatIsNoFileYet) {
+  Catalogue<Tire> tires = TireCatalogue();
+  tires.AddText(kTorus, "new.xml");
+  ASSERT_EQ(tires.entries().size(), 1u);
+  EXPECT_EQ(tires.entries()[0].spring.root, 346900);
+  EXPECT_EQ(RefusalAt("new.xml", [&] { tires.AddText(kTorus, "new.xml"); }),
+            ":2: <tire name=\"fat\">: this name is taken already");
+  EXPECT_EQ(RefusalAt("new.xml", [&] { tires.AddText("<tires>", "new.xml"); }).substr(0, 3), ":1:");
+}
+
 TEST(TireFile, AddsUpTheTermsOfASpring) {
   const TireSpring spring =
       Read(Replaced(kTorus, "root=\"346900\"",

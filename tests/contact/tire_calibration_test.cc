@@ -90,18 +90,37 @@ TEST(TireCalibration, FindsASpringOfOneTermThroughNoiseOfTwoPercent) {
 TEST(TireCalibration, TellsTwoTermsApartInADenseRecord) {
   for (int form : {1, 2}) {
     const LoadDeflection exact = TestOf(kTorus, Known(form), 4000);
-    const SpringFit fit = FitSpring(SpringForms()[form], kTorus, WithNoise(exact, 0.02, 1));
-    for (auto term : SpringForms()[form].terms) {
-      EXPECT_NEAR(fit.spring.*term, Known(form).*term, 0.05 * Known(form).*term) << form;
-      EXPECT_LT(std::abs(fit.spring.*term - Known(form).*term), 2 * fit.confidence.*term) << form;
+    for (unsigned seed = 1; seed <= 3; ++seed) {
+      const SpringFit fit = FitSpring(SpringForms()[form], kTorus, WithNoise(exact, 0.02, seed));
+      for (auto term : SpringForms()[form].terms) {
+        const double error = std::abs(fit.spring.*term - Known(form).*term);
+        EXPECT_LT(error, 0.05 * Known(form).*term) << form << " " << seed;
+        EXPECT_LT(error, 2 * fit.confidence.*term) << form << " " << seed;
+      }
     }
   }
 }
 
-// What the terms carry together is found from a few rows in any case.
+// A dozen rows do not: the interval is half of the term, and says so truly.
+TEST(TireCalibration, TellsThatADozenRowsDoNotDetermineTwoTerms) {
+  constexpr int kSamples = 100;
+  const LoadDeflection exact = TestOf(kTorus, Known(2), 12);
+  const double truth = Known(2).linear;
+  double confidence = 0;
+  int inside = 0;
+  for (unsigned seed = 1; seed <= kSamples; ++seed) {
+    const SpringFit fit = FitSpring(SpringForms()[2], kTorus, WithNoise(exact, 0.02, seed));
+    confidence += fit.confidence.linear / kSamples;
+    inside += std::abs(fit.spring.linear - truth) < fit.confidence.linear ? 1 : 0;
+  }
+  EXPECT_GT(confidence, 0.4 * truth);
+  EXPECT_GT(inside, 0.85 * kSamples);
+}
+
+// What the terms carry together is found from a dozen rows in any case.
 TEST(TireCalibration, FindsTheLoadThroughNoiseOfTwoPercent) {
   for (int form = 0; form < 5; ++form) {
-    const LoadDeflection exact = TestOf(kTorus, Known(form), 24);
+    const LoadDeflection exact = TestOf(kTorus, Known(form), 12);
     for (unsigned seed = 1; seed <= 20; ++seed) {
       const SpringFit fit = FitSpring(SpringForms()[form], kTorus, WithNoise(exact, 0.02, seed));
       for (double z : {0.06, 0.09, 0.12}) {
@@ -208,26 +227,6 @@ TEST(TireCalibration, NeedsARowForEachTerm) {
   EXPECT_THROW(FitSpring(SpringForms()[4], kTorus, test), InputError);
 }
 
-TEST(CrownRadius, IsRecoveredFromContactWidths) {
-  for (double crown : {0.3, 0.661, 2.0}) {
-    std::vector<double> deflection, width, noisy;
-    std::mt19937 random(3);
-    std::normal_distribution<double> noise(0, 0.02);
-    for (double z = 0.02; z < 0.12; z += 0.01) {
-      deflection.push_back(z);
-      width.push_back(2 * crown * std::sin(std::acos((crown - z) / crown)));
-      noisy.push_back(width.back() * (1 + noise(random)));
-    }
-    const CrownFit exact = FitCrownRadius(deflection, width);
-    EXPECT_NEAR(exact.crown_radius / crown, 1, 1e-9);
-    EXPECT_LT(exact.rms, 1e-9);
-    const CrownFit fit = FitCrownRadius(deflection, noisy);
-    EXPECT_NEAR(fit.crown_radius / crown, 1, 0.05);
-    EXPECT_LT(std::abs(fit.crown_radius - crown), 2 * fit.confidence);
-    EXPECT_NEAR(fit.rms, 0.02 * 0.6 * std::sqrt(crown), 0.02 * 0.6 * std::sqrt(crown));
-  }
-}
-
 // A linear cylinder nearly carries a z^(3/2) (Hertz): k = 1.5 F / z, A = 2 w sqrt(2 r z).
 TEST(PlateStiffness, IsTheSlopeOfTheLoad) {
   const TireSpring spring{2.17e6, 0, 0, 0};
@@ -241,7 +240,7 @@ TEST(PlateStiffness, IsTheSlopeOfTheLoad) {
 
 TEST(EstimatedDamping, IsTheShareOfCriticalOverTheContact) {
   const PlateStiffness s{0.07, 3e5, 0.25};
-  const double mass = 18e3 / 9.80665;
+  const double mass = 18e3 / 9.81;
   EXPECT_NEAR(EstimatedDamping(0.05, 18e3, s) * s.area, 2 * 0.05 * std::sqrt(s.stiffness * mass),
               1e-9);
 }

@@ -63,6 +63,8 @@ TEST(LoadDeflectionFile, RefusesRowsThatAreNoLoadTest) {
   EXPECT_EQ(RefusalOf(Replaced(kOne, "2, 3.1", "2, -3.1")), ":4: load must be >= 0 N, got -3100 N");
   EXPECT_EQ(RefusalOf(Replaced(kOne, "0, 0", "-1, 0")),
             ":3: deflection must be >= 0 m, got -0.01 m");
+  EXPECT_EQ(RefusalOf(Replaced(kOne, "0, 0", "0, 3")),
+            ":3: load must be 0 N at deflection 0, where the tire only touches, got 3000 N");
   EXPECT_EQ(RefusalOf(Replaced(kOne, "6, 14.6", "50, 99")),
             ":6: deflection must be < the tire's radius 0.5 m, got 0.5 m");
   EXPECT_EQ(RefusalOf(Replaced(kTwo, "2, 85,", "2, 0,")),
