@@ -71,7 +71,7 @@ SoilTests AddTests(const SoilOptions& options, SoilEvidence* evidence) {
     const BearingForm form = options.reece ? BearingForm::kReece : BearingForm::kBekker;
     const BearingFit fit = At(*options.plate, [&] { return FitBearing(*tests.plate, form); });
     evidence->bearing = Summarised(*options.plate, fit, "width", fit.widths, "m");
-    if (options.frictional && fit.basis != CohesiveModulus::kUnknown) {
+    if (options.frictional && fit.basis != ModuliFrom::kPlatesOfOneWidth) {
       throw InputError("--frictional is for plates of one width, got " +
                        std::to_string(fit.widths.size()) + " widths, which tell k_c");
     }
