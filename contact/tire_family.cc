@@ -42,9 +42,11 @@ std::vector<const Tire*> MembersByPressure(const Catalogue<Tire>& catalogue,
 double PressureIn(const std::string& name, const std::string& text) {
   std::size_t unit = text.size();
   while (unit > 0 && std::isalpha(static_cast<unsigned char>(text[unit - 1])) != 0) --unit;
-  const double to_si = ToSi(Quantity::kPressure, text.substr(unit));
+  const Unit* const known = FindUnit(Quantity::kPressure, text.substr(unit));
   double value = 0;
-  if (to_si > 0 && ParseNumber(text.substr(0, unit), &value) && value > 0) return value * to_si;
+  if (known != nullptr && ParseNumber(text.substr(0, unit), &value) && value > 0) {
+    return InSi(value, *known);
+  }
   throw InputError("tire \"" + name +
                    "\": after @ there must be a pressure > 0 and its unit, one of " +
                    UnitsOf(Quantity::kPressure) + ", got \"" + text + "\"");

@@ -39,12 +39,12 @@ void RequireRisingLoad(const Measurements& table, double width,
 }
 
 void RequireRows(const Measurements& table, double width, const std::vector<std::size_t>& rows) {
-  const std::vector<double>& z = table.Column("sinkage");
-  const auto sunk = static_cast<std::size_t>(
-      std::count_if(rows.begin(), rows.end(), [&](std::size_t row) { return z[row] > 0; }));
-  if (sunk >= kLeastRows) return;
+  const std::vector<double>&z = table.Column("sinkage"), &p = table.Column("pressure");
+  const auto pressed = static_cast<std::size_t>(std::count_if(
+      rows.begin(), rows.end(), [&](std::size_t row) { return z[row] > 0 && p[row] > 0; }));
+  if (pressed >= kLeastRows) return;
   table.Refuse(rows.back(), Plate(width) + " must have at least " + std::to_string(kLeastRows) +
-                                " rows with sinkage, got " + std::to_string(sunk));
+                                " rows with sinkage and pressure, got " + std::to_string(pressed));
 }
 
 void RequireZeroedGauge(const Measurements& table) {
@@ -128,14 +128,26 @@ ScaledFit FitPowerLaw(const PowerLaw& law, double n_start) {
       scale, largest};
 }
 
-// The frictional modulus and the exponent are the last two parameters.
+// The moduli that were searched for, and then the exponent, are the parameters.
 void Store(const ScaledFit& scaled, BearingFit* result) {
   const int last = static_cast<int>(scaled.scale.size()) - 1;
   const auto parameter = [&](int i) { return FittedParameter(scaled.fit, i, scaled.scale[i]); };
-  result->cohesive = last == 2 ? parameter(0) : HeldAt(0);
-  result->frictional = parameter(last - 1);
+  const bool both = last == 2, no_frictional = result->basis == ModuliFrom::kNoFrictional;
+  result->cohesive = both || no_frictional ? parameter(0) : HeldAt(0);
+  result->frictional = no_frictional ? HeldAt(0) : parameter(last - 1);
   result->exponent = parameter(last);
   result->rms = scaled.fit.rms * scaled.pressure;
+}
+
+// What a fit with both moduli leaves of them. The form of Bekker needs k_phi.
+void HoldAtZero(BearingFit* result) {
+  if (result->cohesive.value < 0) {
+    result->basis = ModuliFrom::kNoCohesive;
+    result->free_value = result->cohesive.value;
+  } else if (result->frictional.value < 0 && result->form == BearingForm::kReece) {
+    result->basis = ModuliFrom::kNoFrictional;
+    result->free_value = result->frictional.value;
+  }
 }
 
 void RequirePositive(const char* name, double value) {
@@ -179,18 +191,18 @@ BearingFit FitBearing(const PlateSinkage& test, BearingForm form) {
   }
   PowerLaw law = LawOf(test, form);
   const double n_start = StartExponent(test);
-  if (!one_width) {
-    Store(FitPowerLaw(law, n_start), &result);
-    if (result.cohesive.value < 0) result.basis = CohesiveModulus::kHeldAtZero;
-    result.free_cohesive = result.cohesive.value;
+  if (one_width) {
+    result.basis = ModuliFrom::kPlatesOfOneWidth;
   } else {
-    result.basis = CohesiveModulus::kUnknown;
+    Store(FitPowerLaw(law, n_start), &result);
+    HoldAtZero(&result);
   }
-  if (result.basis != CohesiveModulus::kFitted) {
-    law.factors = MatrixXd(law.factors.rightCols(1));
+  if (result.basis != ModuliFrom::kPlates) {
+    const int kept = result.basis == ModuliFrom::kNoFrictional ? 0 : 1;
+    law.factors = MatrixXd(law.factors.col(kept));
     Store(FitPowerLaw(law, n_start), &result);
   }
-  RequirePositive(form == BearingForm::kReece ? "k_2" : "k_phi", result.frictional.value);
+  if (form == BearingForm::kBekker) RequirePositive("k_phi", result.frictional.value);
   RequirePositive("n", result.exponent.value);
   for (std::size_t row = 0; row < test.width.size(); ++row) {
     result.fitted.push_back(PressureOf(result, test.width[row], test.sinkage[row]));

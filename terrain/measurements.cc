@@ -1,6 +1,8 @@
 #include "terrain/measurements.h"
 
 #include <algorithm>
+#include <charconv>
+#include <cmath>
 
 #include "terrain/csv_lines.h"
 #include "terrain/input_error.h"
@@ -8,30 +10,36 @@
 namespace softsoil {
 namespace {
 
-struct Unit {
-  const char* name;
-  Quantity quantity;
-  double to_si;
-};
-
 // Inch, pound-force and psi: NIST SP 811 (2008), appendix B.8.
 constexpr Unit kUnits[] = {
-    {"m", Quantity::kLength, 1},
-    {"cm", Quantity::kLength, 1e-2},
-    {"mm", Quantity::kLength, 1e-3},
-    {"in", Quantity::kLength, 0.0254},
-    {"N", Quantity::kForce, 1},
-    {"kN", Quantity::kForce, 1e3},
-    {"lbf", Quantity::kForce, 4.4482216152605},
-    {"Pa", Quantity::kPressure, 1},
-    {"kPa", Quantity::kPressure, 1e3},
-    {"bar", Quantity::kPressure, 1e5},
-    {"psi", Quantity::kPressure, 6894.757293168},
+    {"m", Quantity::kLength, 1, 0},
+    {"cm", Quantity::kLength, 1, -2},
+    {"mm", Quantity::kLength, 1, -3},
+    {"in", Quantity::kLength, 254, -4},
+    {"N", Quantity::kForce, 1, 0},
+    {"kN", Quantity::kForce, 1, 3},
+    {"lbf", Quantity::kForce, 4.4482216152605, 0},
+    {"Pa", Quantity::kPressure, 1, 0},
+    {"kPa", Quantity::kPressure, 1, 3},
+    {"bar", Quantity::kPressure, 1, 5},
+    {"psi", Quantity::kPressure, 6894.757293168, 0},
 };
+
+// value * 10^places, by the exponent of its decimal digits.
+double WithPointMoved(double value, int places) {
+  char text[32];
+  const std::string written(
+      text, std::to_chars(text, text + sizeof text, value, std::chars_format::scientific).ptr);
+  const std::size_t e = written.find('e');
+  const int exponent = std::stoi(written.substr(e + 1)) + places;
+  double moved = value * std::pow(10.0, places);  // stays if no double has these digits
+  ParseNumber(written.substr(0, e + 1) + std::to_string(exponent), &moved);
+  return moved;
+}
 
 std::string SiUnitOf(Quantity quantity) {
   const auto* unit = std::find_if(std::begin(kUnits), std::end(kUnits), [&](const Unit& u) {
-    return u.quantity == quantity && u.to_si == 1;
+    return u.quantity == quantity && u.multiple == 1 && u.power_of_ten == 0;
   });
   return unit->name;
 }
@@ -44,9 +52,9 @@ std::pair<std::string, std::string> NameAndUnit(const std::string& cell) {
   return {cell.substr(0, open == 0 ? 0 : last + 1), cell.substr(open + 1, cell.size() - open - 2)};
 }
 
-double FactorOf(const CsvLines& lines, const MeasuredColumn& column, const std::string& name) {
-  const double to_si = ToSi(column.quantity, name);
-  if (to_si > 0) return to_si;
+const Unit& UnitOf(const CsvLines& lines, const MeasuredColumn& column, const std::string& name) {
+  const Unit* const unit = FindUnit(column.quantity, name);
+  if (unit != nullptr) return *unit;
   lines.Refuse("column " + column.name + " must state its unit as " + column.name +
                " [unit], one of " + UnitsOf(column.quantity) + ", got \"" + name + "\"");
 }
@@ -54,7 +62,7 @@ double FactorOf(const CsvLines& lines, const MeasuredColumn& column, const std::
 // Where a cell of a row goes and in what unit it stands.
 struct Place {
   std::size_t column;
-  double to_si;
+  const Unit& unit;
 };
 
 std::string NamesOf(const std::vector<MeasuredColumn>& columns) {
@@ -77,7 +85,7 @@ std::vector<Place> ReadHeader(CsvLines& lines, const std::vector<MeasuredColumn>
     }
     if (found[c]) lines.Refuse("column \"" + name + "\" stands here a second time");
     found[c] = true;
-    places.push_back({c, FactorOf(lines, columns[c], unit)});
+    places.push_back({c, UnitOf(lines, columns[c], unit)});
   }
   for (std::size_t c = 0; c < columns.size(); ++c) {
     if (!found[c] && !columns[c].optional)
@@ -88,11 +96,15 @@ std::vector<Place> ReadHeader(CsvLines& lines, const std::vector<MeasuredColumn>
 
 }  // namespace
 
-double ToSi(Quantity quantity, const std::string& unit) {
-  for (const Unit& known : kUnits) {
-    if (known.quantity == quantity && known.name == unit) return known.to_si;
-  }
-  return 0;
+const Unit* FindUnit(Quantity quantity, const std::string& name) {
+  const auto* unit = std::find_if(std::begin(kUnits), std::end(kUnits), [&](const Unit& u) {
+    return u.quantity == quantity && u.name == name;
+  });
+  return unit != std::end(kUnits) ? unit : nullptr;
+}
+
+double InSi(double value, const Unit& unit) {
+  return WithPointMoved(value * unit.multiple, unit.power_of_ten);
 }
 
 std::string UnitsOf(Quantity quantity) {
@@ -112,8 +124,11 @@ Measurements::Measurements(const std::string& file, const std::vector<MeasuredCo
   while (lines.Next(&cells)) {
     lines.RequireWidth(cells, places.size());
     for (std::size_t i = 0; i < cells.size(); ++i) {
-      const auto [column, to_si] = places[i];
-      values_[column].push_back(lines.Number(columns_[column].name, cells[i]) * to_si);
+      const auto& [column, unit] = places[i];
+      const std::string& name = columns_[column].name;
+      values_[column].push_back(InSi(lines.Number(name, cells[i]), unit));
+      if (std::isfinite(values_[column].back())) continue;
+      lines.Refuse(name + " is too large, got " + cells[i] + " " + unit.name);
     }
     lines_.push_back(lines.line());
   }

@@ -9,8 +9,19 @@ namespace softsoil {
 
 enum class Quantity { kLength, kForce, kPressure };
 
-// Factor from a unit such as "kPa" to the one of SI; 0 if it is none of the quantity's.
-double ToSi(Quantity quantity, const std::string& unit);
+// One of a unit is multiple * 10^power_of_ten of the one of SI.
+struct Unit {
+  const char* name;
+  Quantity quantity;
+  double multiple;
+  int power_of_ten;
+};
+
+// The unit of a name such as "kPa"; null if it is none of the quantity's.
+const Unit* FindUnit(Quantity quantity, const std::string& name);
+// A value in SI. Powers of ten move its decimal point and change no digit: 9 mm are 0.009 m, which
+// neither 9 * 0.001 nor, for other readings, a division by 1000 gives. Infinite if too large.
+double InSi(double value, const Unit& unit);
 // "Pa, kPa, bar, psi"
 std::string UnitsOf(Quantity quantity);
 

@@ -1,5 +1,6 @@
 #include "terrain/nurbs_bumps.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <utility>
@@ -34,9 +35,14 @@ ControlPoint ControlPointAt(std::uint64_t row, std::int64_t j) {
           kLeastWeight + (kMostWeight - kLeastWeight) * share};
 }
 
+// [-]  Farther out a double no longer tells one control point from the next.
+constexpr double kFarthest = 9007199254740992;
+
 // A place on the axis of a uniform cubic B-spline, whose knots are the integers.
 struct SplinePlace {
-  explicit SplinePlace(double u) : first(static_cast<std::int64_t>(std::floor(u)) - 1) {
+  explicit SplinePlace(double anywhere) {
+    const double u = std::clamp(anywhere, -kFarthest, kFarthest);
+    first = static_cast<std::int64_t>(std::floor(u)) - 1;
     const double t = u - std::floor(u), s = 1 - t;
     share = {s * s * s / 6, (4 - 3 * t * t * (2 - t)) / 6, (4 - 3 * s * s * (2 - s)) / 6,
              t * t * t / 6};

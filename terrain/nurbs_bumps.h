@@ -25,7 +25,8 @@ struct NurbsBumps {
 // with the uniform cubic B-splines N (Piegl and Tiller, The NURBS Book, 1997), control heights z
 // evenly spread from -height to height and weights w evenly spread from 0.5 to 2, both from a hash
 // of i, j and the seed. Twice continuously differentiable, never beyond +-height, zero on average;
-// the root of the mean square is 0.29 height. Only +, -, *, / and floor: the same bits everywhere.
+// the root of the mean square is 0.29 height. Beyond 2^53 spacings it stays as there. Only +, -, *,
+// / and floor: the same bits everywhere.
 double HeightOf(const NurbsBumps& bumps, double x, double y);
 
 // The ground with bumps on it, added along z: on a slope, too, the height stays a function of x, y.

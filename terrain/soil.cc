@@ -70,9 +70,8 @@ Table SoilTable(BearingForm form) {
 double MoistureShift(XmlEntry& entry) {
   if (!entry.Has("moisture")) return 0.0;
   const double slope = entry.Number("moisture", "slope", "kg/m^3", Range::kAny);
-  const double actual = entry.Number("moisture", "saturation", "", Range::kNotNegative);
-  const double reference =
-      entry.Number("moisture", "reference_saturation", "", Range::kNotNegative);
+  const double actual = entry.Number("moisture", "saturation", "", Range::kUpToOne);
+  const double reference = entry.Number("moisture", "reference_saturation", "", Range::kUpToOne);
   return slope * (actual - reference);
 }
 

@@ -1,29 +1,20 @@
 #include "terrain/soil_identification.h"
 
-#include <algorithm>
-#include <cmath>
-
 #include "terrain/constants.h"
 #include "terrain/input_error.h"
 #include "terrain/pedotransfer.h"
+#include "terrain/soil_findings.h"
 
 namespace softsoil {
 namespace {
 
 constexpr double kDegree = kPi / 180;
-constexpr char kFit[] = "fit";
 
-class Identification {
+// What each piece of evidence says of the soil.
+class Identification : private SoilFindings {
  public:
-  explicit Identification(const SoilEvidence& evidence) : evidence_(evidence) {
-    if (!evidence_.like) return;
-    like_ = *evidence_.like;
-    // The catalogue says how far moisture moves the curve, not by which slope and saturation.
-    like_.compaction.reference_density += like_.compaction.moisture_shift;
-    like_.compaction.moisture_shift = 0;
-    soil() = like_;
-    soil().layers.clear();
-  }
+  explicit Identification(const SoilEvidence& evidence)
+      : SoilFindings(evidence.like), evidence_(evidence) {}
 
   IdentifiedSoil Result() {
     Indices();
@@ -36,59 +27,13 @@ class Identification {
   }
 
  private:
-  Soil& soil() { return result_.entry.soil; }
-  std::string& SourceOf(const std::string& element) { return result_.entry.source[element]; }
-
-  void Report(Finding finding) { result_.findings.push_back(std::move(finding)); }
-
-  const Attribute<Soil>& Find(const std::string& element, const std::string& name) {
-    const auto& table = SoilAttributes(soil().bearing.form);
-    return *std::find_if(table.begin(), table.end(), [&](const Attribute<Soil>& a) {
-      return a.element == element && a.name == name;
-    });
-  }
-
-  // Stores a number of the soil, in the unit of the file, and reports it.
-  void Set(const std::string& element, const std::string& name, Finding finding) {
-    const Attribute<Soil>& a = Find(element, name);
-    a.field(soil()) = finding.value * a.to_si;
-    finding.parameter = element + " " + name;
-    finding.unit = a.unit;
-    Report(std::move(finding));
-  }
-
-  void SetFitted(const std::string& element, const std::string& name, const Fitted& fitted,
-                 const std::string& from, std::string warning = "") {
-    const double to_si = Find(element, name).to_si;
-    if (fitted.confidence > std::abs(fitted.value)) {
-      warning += std::string(warning.empty() ? "" : "; ") + "the readings hardly determine it";
-    }
-    Set(element, name,
-        {"", fitted.value / to_si, "", fitted.confidence / to_si, kFit, from, warning});
-  }
-
   Finding Estimated(const std::string& result) const {
     const Estimate estimate = Apply(result, *evidence_.composition);
     return {result, estimate.value, "", 0, estimate.how, estimate.made_from, estimate.warning};
   }
 
-  // The numbers of an element as of the soil `like`; missing without one.
-  void OfAnother(const std::string& element, const std::vector<std::string>& names = {}) {
-    if (!evidence_.like) {
-      auto& missing = result_.missing;
-      if (missing.empty() || missing.back() != element) missing.push_back(element);
-      return;
-    }
-    for (const Attribute<Soil>& a : SoilAttributes(like_.bearing.form)) {
-      if (a.element != element) continue;
-      if (!names.empty() && std::find(names.begin(), names.end(), a.name) == names.end()) continue;
-      Set(element, a.name, {"", a.field(like_) / a.to_si, "", 0, "as of another", like_.name, ""});
-    }
-    if (names.empty()) SourceOf(element) = AsOfAnother();
-  }
-  std::string AsOfAnother() const { return "not identified: as of " + like_.name; }
-
   void Indices();
+  void SetModulus(const char* name, const Fitted& modulus, bool is_held);
   void Bearing();
   void Shear();
   void Compaction();
@@ -98,8 +43,6 @@ class Identification {
   void Companions();
 
   const SoilEvidence& evidence_;
-  Soil like_;  // if the evidence has one
-  IdentifiedSoil result_;
 };
 
 // As printed for a class, by relation from shares.
@@ -119,6 +62,14 @@ void Identification::Indices() {
   }
 }
 
+void Identification::SetModulus(const char* name, const Fitted& modulus, bool is_held) {
+  const auto& [fit, from, summary] = *evidence_.bearing;
+  if (!is_held) return SetFitted("bearing", name, modulus, from);
+  Set("bearing", name,
+      {"", 0, "", 0, "held at 0", from,
+       "the readings ask for " + Rounded(fit.free_value, 4) + "; fitted again without"});
+}
+
 void Identification::Bearing() {
   if (!evidence_.bearing) return OfAnother("bearing");
   const auto& [fit, from, summary] = *evidence_.bearing;
@@ -126,30 +77,36 @@ void Identification::Bearing() {
   soil().bearing.form = fit.form;
   const char* cohesive = reece ? "k_1" : "k_c";
   const char* frictional = reece ? "k_2" : "k_phi";
-  if (fit.basis == CohesiveModulus::kUnknown && !evidence_.is_frictional) {
+  const bool one_width = fit.basis == ModuliFrom::kPlatesOfOneWidth;
+  if (one_width && !evidence_.is_frictional) {
     result_.missing.emplace_back("bearing");
-    Report({"bearing k_e", fit.frictional.value, "N/m^(n+2)", fit.frictional.confidence, kFit, from,
+    Report({"bearing k_e", fit.frictional.value, "N/m^(n+2)", fit.frictional.confidence, "fit",
+            from,
             "k_c/b + k_phi, for plates of " + Shown(fit.widths[0]) +
                 " m alone: one width does not tell k_c from k_phi"});
-  } else if (fit.basis == CohesiveModulus::kUnknown) {
+  } else if (one_width) {
     Set("bearing", cohesive, {"", 0, "", 0, "assumed", "soil said to be frictional", ""});
     SetFitted("bearing", frictional, fit.frictional, from,
               "one plate, " + Shown(fit.widths[0]) + " m: holds for that width");
-  } else if (fit.basis == CohesiveModulus::kHeldAtZero) {
-    Set("bearing", cohesive,
-        {"", 0, "", 0, "held at 0", from,
-         "the readings ask for " + Rounded(fit.free_cohesive, 4) + "; fitted again without"});
-    SetFitted("bearing", frictional, fit.frictional, from);
   } else {
-    SetFitted("bearing", cohesive, fit.cohesive, from);
-    SetFitted("bearing", frictional, fit.frictional, from);
+    SetModulus(cohesive, fit.cohesive, fit.basis == ModuliFrom::kNoCohesive);
+    SetModulus(frictional, fit.frictional, fit.basis == ModuliFrom::kNoFrictional);
+    if (reece && HoldsZero(fit.cohesive) && HoldsZero(fit.frictional)) {
+      result_.undetermined.insert(result_.undetermined.end(), {"bearing k_1", "bearing k_2"});
+    }
   }
   SetFitted("bearing", "n", fit.exponent, from);
   SourceOf("bearing") = "least squares of plate-sinkage tests, " + summary;
 }
 
 void Identification::Shear() {
-  if (!evidence_.shear && !evidence_.composition) return OfAnother("shear");
+  if (!evidence_.shear && !evidence_.composition) {
+    OfAnother("shear");
+    const softsoil::Shear& shear = like_.shear;
+    if (shear.form == ShearForm::kHumped)
+      CompanionOfAnother("shear", "residual", shear.residual, "");
+    return;
+  }
   soil().shear = {};  // no hump
   if (!evidence_.shear) {
     Set("shear", "cohesion", Estimated("cohesion"));
@@ -267,11 +224,20 @@ void Identification::InitialDensity() {
           "virgin curve", "initial density", ""});
 }
 
-// What a soil may have besides.
+// What a soil may have besides, which another soil alone gives.
 void Identification::Companions() {
-  if (!evidence_.like) return;
-  for (const char* element : {"unloading", "layers", "max_stress"})
-    SourceOf(element) = AsOfAnother();
+  const auto& [k_0, A_u] = soil().unloading;
+  if (!soil().unloading.IsRigid()) {
+    CompanionOfAnother("unloading", "k_0", k_0, "Pa/m");
+    CompanionOfAnother("unloading", "A_u", A_u, "Pa/m^2");
+  }
+  for (const DensityLayer& layer : soil().layers) {
+    CompanionOfAnother("layers", "initial_density below " + Shown(layer.top) + " m", layer.density,
+                       "kg/m^3");
+  }
+  if (!soil().max_stress) return;
+  CompanionOfAnother("max_stress", "c_1", soil().max_stress->c_1, "");
+  CompanionOfAnother("max_stress", "c_2", soil().max_stress->c_2, "");
 }
 
 }  // namespace

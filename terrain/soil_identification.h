@@ -37,7 +37,8 @@ struct SoilEvidence {
   std::optional<Soil> like;  // gives every group that nothing else gives
 };
 
-// A row of the report. Parameters of the soil are named as in its file: "shear cohesion".
+// A row of the report. Parameters of the soil are named as in its file: "shear cohesion"; every
+// number of the entry has its row.
 struct Finding {
   std::string parameter;
   double value;
@@ -53,10 +54,14 @@ struct IdentifiedSoil {
   std::vector<Finding> findings;
   std::string composition;           // in words; empty if it is not known
   std::vector<std::string> missing;  // elements of the entry that nothing gives: "bearing"
+  // Parameters that must be > 0 and whose 95 % interval holds zero, so that the entry would say
+  // what no test has shown; of k_1 and k_2 one may be zero, not both.
+  std::vector<std::string> undetermined;
 };
 
 // What was measured counts more than what a relation predicts, and that more than another soil.
-// Without a measured density the soil is taken as never loaded beyond the reference stress.
+// Without a measured density, a soil whose composition is known is taken as never loaded beyond the
+// reference stress, and one without composition is as dense as the other soil.
 // Throws InputError for a density or saturation that no soil has, a saturation without composition
 // or of a coarse soil, and a density alone, which gives no virgin curve.
 IdentifiedSoil Identify(const SoilEvidence& evidence);

@@ -14,7 +14,7 @@ namespace softsoil {
 void PrepareFolder(const std::string& folder) {
   std::error_code error;
   std::filesystem::create_directories(folder, error);
-  if (!error && !std::filesystem::is_directory(folder)) {
+  if (!error && !std::filesystem::is_directory(folder, error)) {
     error = std::make_error_code(std::errc::not_a_directory);
   }
   if (!error && access(folder.c_str(), W_OK | X_OK) != 0) {

@@ -48,7 +48,10 @@ void AddState(const SoilOptions& options, SoilEvidence* evidence) {
     evidence->saturation = {*options.saturation, *options.reference_saturation};
   }
   if (options.like) {
-    evidence->like = At("--like", [&] { return SoilsWith().Find(*options.like); });
+    const Catalogue<Soil> soils = SoilsWith(options.soil_files);
+    evidence->like = At("--like", [&] { return soils.Find(*options.like); });
+  } else if (!options.soil_files.empty()) {
+    throw InputError("--soil-file holds soils for --like: give --like too");
   }
 }
 
@@ -71,7 +74,7 @@ SoilTests AddTests(const SoilOptions& options, SoilEvidence* evidence) {
     const BearingForm form = options.reece ? BearingForm::kReece : BearingForm::kBekker;
     const BearingFit fit = At(*options.plate, [&] { return FitBearing(*tests.plate, form); });
     evidence->bearing = Summarised(*options.plate, fit, "width", fit.widths, "m");
-    if (options.frictional && fit.basis != CohesiveModulus::kUnknown) {
+    if (options.frictional && fit.basis != ModuliFrom::kPlatesOfOneWidth) {
       throw InputError("--frictional is for plates of one width, got " +
                        std::to_string(fit.widths.size()) + " widths, which tell k_c");
     }
@@ -89,7 +92,8 @@ SoilTests AddTests(const SoilOptions& options, SoilEvidence* evidence) {
 }
 
 // What would give each element that is missing.
-std::string Remedies(const SoilEvidence& evidence, const std::vector<std::string>& missing) {
+std::string Remedies(const SoilEvidence& evidence, const std::vector<std::string>& missing,
+                     const char* separator = "; ") {
   const std::map<std::string, std::string> remedies = {
       {"bearing", evidence.bearing ? "a second plate width, or --frictional to take k_c = 0"
                                    : "--plate FILE or --like SOIL"},
@@ -99,7 +103,7 @@ std::string Remedies(const SoilEvidence& evidence, const std::vector<std::string
       {"stress", "--like SOIL"}};
   std::string text;
   for (const std::string& element : missing) {
-    text += (text.empty() ? "<" : "; <") + element + "> needs " + remedies.at(element);
+    text += (text.empty() ? "" : separator) + ("<" + element + "> needs ") + remedies.at(element);
   }
   return text;
 }
@@ -123,12 +127,18 @@ void RequireComplete(const SoilOptions& options, const SoilEvidence& evidence,
   if (!soil.missing.empty()) {
     throw InputError("the entry is incomplete: " + Remedies(evidence, soil.missing));
   }
+  if (!soil.undetermined.empty()) {
+    throw InputError("the readings do not determine " + Listed(soil.undetermined) +
+                     ": the 95 % interval holds 0; --out needs readings with less scatter, deeper "
+                     "or farther, or of more different plates or normal stresses");
+  }
 }
 
 void Print(const SoilEvidence& evidence, const IdentifiedSoil& soil) {
   std::printf("%s", TableOf(soil, evidence).c_str());
   if (soil.missing.empty()) return;
-  std::printf("\nfor an entry besides: %s\n", Remedies(evidence, soil.missing).c_str());
+  std::printf("\nmissing for an entry, --out\n  %s\n",
+              Remedies(evidence, soil.missing, "\n  ").c_str());
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace softsoil {
 
@@ -14,7 +15,8 @@ struct SoilOptions {
   std::optional<double> saturation, reference_saturation;  // [-]
   std::optional<std::string> plate, shear;                 // CSV files
   bool reece = false, frictional = false;
-  std::optional<std::string> like;  // name in the catalogue
+  std::optional<std::string> like;      // name in the catalogue
+  std::vector<std::string> soil_files;  // XML, more soils for `like`
   std::string name;
   std::string description;
   std::optional<std::string> out, picture;

@@ -1,5 +1,6 @@
 """softsoil soil: the table, the entry that the catalogue reads back, and what is refused."""
 import json
+import math
 import pathlib
 import unittest
 import xml.etree.ElementTree as ElementTree
@@ -11,6 +12,20 @@ PLATE, SHEAR = DATA / "plate_sinkage.csv", DATA / "shear_test.csv"
 TESTED = ["--plate", PLATE, "--shear", SHEAR]
 PLATE_HEADER = "width [mm], sinkage [mm], pressure [kPa]\n"
 SHEAR_HEADER = "normal_stress [kPa], displacement [mm], shear_stress [kPa]\n"
+
+# With everything that a soil may have but moisture.
+RICH = """<soils><soil name="rich">
+<bearing form="reece" k_1="2e4" k_2="4e5" n="1.1" source="s"/>
+<unloading k_0="0" A_u="503e6" source="s"/>
+<shear form="humped" residual="0.3" cohesion="3300" friction_angle_deg="33.7" modulus="0.025"
+       source="s"/>
+<compaction index="410" reference_density="1290" reference_stress="98e3" initial_density="1300"
+            rebound_index="20" compression_time="0.2" rebound_time="0.02" source="s"/>
+<layers top="0.2 0.4" initial_density="1400 1500" source="s"/>
+<stress concentration_factor="5" source="s"/>
+<max_stress c_1="0.43" c_2="0.32" source="s"/>
+</soil></soils>
+"""
 
 
 def table_of(done):
@@ -98,6 +113,49 @@ class Soil(InAFolder):
                       f"soil={name}_2", seconds=0.002)
             self.assertEqual(ran.returncode, 0, ran.stderr)
 
+    def test_tells_all_that_the_entry_has_of_another_soil(self):
+        like = self.write("rich.xml", RICH)
+        out = self.folder / "x.xml"
+        done = self.identify("--like", "rich", "--soil-file", like, "--name", "x", "--out", out)
+        rows = table_of(done)
+        report = {row["parameter"]: row
+                  for row in json.loads((self.folder / "x.json").read_text())["findings"]}
+        for parameter, value in {"shear residual": 0.3, "unloading A_u": 5.03e8,
+                                 "layers initial_density below 0.2 m": 1400,
+                                 "max_stress c_1": 0.43}.items():
+            self.assertEqual(report[parameter]["value"], value)
+            self.assertEqual(report[parameter]["how"], "as of another")
+            self.assertEqual(report[parameter]["made_from"], "rich")
+        self.assertEqual(rows["max_stress c_2"][-1], "rich")
+        numbers = [number for group in ElementTree.parse(out).getroot().find("soil")
+                   for name, text in group.items() if name not in ("source", "form", "top")
+                   for number in text.split()]
+        self.assertEqual(len(numbers), len(set(report) - {"preconsolidation stress"}))
+
+    def test_soil_like_one_of_a_file_runs(self):
+        mine, out = self.folder / "mine.xml", self.folder / "wet.xml"
+        self.identify("--like", "lete_sand", "--name", "mine", "--out", mine)
+        self.identify("--like", "mine", "--soil-file", mine, "--uscs", "CL", "--name", "wet",
+                      "--out", out)
+        self.assertIn("times as of mine", out.read_text())
+        ran = run(self.folder / "run", "--no-picture", "--set", f"soil_file={mine},{out}", "--set",
+                  "soil=wet", seconds=0.002)
+        self.assertEqual(ran.returncode, 0, ran.stderr)
+
+    def test_clay_has_no_frictional_modulus(self):
+        rows = "".join(f"{width},{z},{pressure * math.sqrt(z / width):.3f}\n"
+                       for width, pressure in ((50, 50), (300, 49)) for z in range(0, 160, 10))
+        plate, out = self.write("clay.csv", PLATE_HEADER + rows), self.folder / "clay.xml"
+        done = self.identify("--plate", plate, "--reece", "--like", "heavy_clay_25", "--name",
+                             "clay", "--out", out)
+        self.assertEqual(table_of(done)["bearing k_2"][0], "0")
+        self.assertIn("bearing k_2: the readings ask for -4002; fitted again without", done.stdout)
+        bearing = ElementTree.parse(out).getroot().find("soil/bearing")
+        self.assertEqual(bearing.get("k_2"), "0")
+        ran = run(self.folder / "run", "--no-picture", "--set", f"soil_file={out}", "--set",
+                  "soil=clay", seconds=0.002)
+        self.assertEqual(ran.returncode, 0, ran.stderr)
+
     def test_picture_alone(self):
         picture = self.folder / "tests.png"
         self.identify("--shear", SHEAR, "--picture", picture)
@@ -166,6 +224,26 @@ class Refusals(InAFolder):
         refused(good + "50,25,70\n", "5: sinkage of the plate of width 0.05 m must rise from row "
                 "to row, got 0.025 m after 0.03 m")
 
+        few = "4: the plate of width 0.05 m must have at least 3 rows with sinkage and pressure, got"
+        refused("50,1,0\n50,2,0\n50,3,40\n", f"{few} 1")
+
+    def test_plates_that_determine_nothing(self):
+        """The same pressure at every depth, and the deeper the less certain: n may be zero."""
+        rows = "50,10,40\n50,20,60\n50,30,56\n300,10,55\n300,20,50\n300,30,60\n"
+        plate = self.write("plate.csv", PLATE_HEADER + rows)
+        self.assertRefused(["--like", "lete_sand", "--plate", plate], "the readings do not "
+                           "determine bearing k_phi, bearing n: the 95 % interval holds 0; --out "
+                           "needs readings with less scatter, deeper or farther, or of more "
+                           "different plates or normal stresses")
+        done = softsoil("soil", "--plate", plate)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertIn("bearing n: the readings hardly determine it", done.stdout)
+
+    def test_names_of_files_that_are_too_long(self):
+        name = "a" * 300 + ".csv"
+        for option in ("--plate", "--shear"):
+            self.assertRefused([option, name], f"{name}: cannot read: File name too long")
+
     def test_shear_files(self):
         def refused(rows, sentence):
             path = self.write("shear.csv", SHEAR_HEADER + rows)
@@ -200,6 +278,11 @@ class Refusals(InAFolder):
         refused(*like, "--name", "x", "--out", self.folder / "x", sentence="--out must end in .xml")
         refused(*like, "--picture", self.folder / "x.png", sentence="--picture needs --plate")
         refused(*like, "--reece", sentence="give --plate too")
+        mine = self.write("mine.xml", RICH)
+        refused("--uscs", "CL", "--soil-file", mine, sentence="--soil-file holds soils for --like")
+        refused("--like", "poor", "--soil-file", mine, sentence='unknown soil "poor"; known are: ')
+        refused("--like", "rich", "--soil-file", self.folder / "none.xml",
+                sentence="none.xml: there is no such file")
         refused("--plate", PLATE, "--frictional", sentence="for plates of one width, got 3 widths")
         refused(*like, "--clay", "much", sentence="much")
 

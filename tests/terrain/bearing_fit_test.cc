@@ -40,7 +40,7 @@ PlateSinkage TwoPlates() { return Pressed({0.05, 0.3}, Bekker); }
 TEST(FitBearing, RecoversTheParametersOfExactReadings) {
   for (const auto& widths : {std::vector<double>{0.05, 0.3}, {0.1, 0.15}, {0.05, 0.1, 0.2, 0.5}}) {
     const BearingFit fit = FitBearing(Pressed(widths, Bekker));
-    EXPECT_EQ(fit.basis, CohesiveModulus::kFitted);
+    EXPECT_EQ(fit.basis, ModuliFrom::kPlates);
     EXPECT_EQ(fit.widths, widths);
     EXPECT_NEAR(fit.cohesive.value, kKc, 1e-6 * kKc);
     EXPECT_NEAR(fit.frictional.value, kKphi, 1e-6 * kKphi);
@@ -114,7 +114,7 @@ TEST(FitBearing, ReportsTheResidualsThatItLeaves) {
 
 TEST(FitBearing, OfOnePlateKnowsTheSumOfTheModuliAlone) {
   const BearingFit fit = FitBearing(Pressed({0.1}, Bekker));
-  EXPECT_EQ(fit.basis, CohesiveModulus::kUnknown);
+  EXPECT_EQ(fit.basis, ModuliFrom::kPlatesOfOneWidth);
   EXPECT_NEAR(fit.frictional.value, kKc / 0.1 + kKphi, 1);
   EXPECT_NEAR(fit.exponent.value, kN, 1e-6);
   EXPECT_THAT([] { FitBearing(Pressed({0.1}, Bekker), BearingForm::kReece); },
@@ -125,12 +125,48 @@ TEST(FitBearing, OfOnePlateKnowsTheSumOfTheModuliAlone) {
 // A narrow plate that bears less than a wide one asks for k_c < 0.
 TEST(FitBearing, HoldsANegativeCohesiveModulusAtZeroAndSaysSo) {
   const BearingFit fit = FitBearing(Pressed({0.05, 0.3}, Weaker));
-  EXPECT_EQ(fit.basis, CohesiveModulus::kHeldAtZero);
+  EXPECT_EQ(fit.basis, ModuliFrom::kNoCohesive);
   EXPECT_EQ(fit.cohesive.value, 0);
-  EXPECT_NEAR(fit.free_cohesive, -0.01 * kKphi, 1);
+  EXPECT_NEAR(fit.free_value, -0.01 * kKphi, 1);
   EXPECT_GT(fit.frictional.value, 0.7 * kKphi);
   EXPECT_LT(fit.frictional.value, kKphi);
   EXPECT_GT(fit.rms, 1000);
+}
+
+// A clay bears the same at the same z/b under any plate: k_2 = 0, and noise asks for less as often
+// as for more.
+TEST(FitBearing, HoldsANegativeFrictionalModulusOfReeceAtZeroAndSaysSo) {
+  int held = 0;
+  for (unsigned seed = 1; seed <= 40; ++seed) {
+    Noise noise(seed);
+    PlateSinkage test =
+        Pressed({0.05, 0.3}, [](double b, double z) { return 50e3 * std::sqrt(z / b); });
+    test.pressure = WithRelativeNoise(test.pressure, 0.01, &noise);
+    const BearingFit fit = FitBearing(test, BearingForm::kReece);
+    EXPECT_NEAR(fit.cohesive.value, 50e3, 1000) << seed;
+    EXPECT_NEAR(fit.exponent.value, 0.5, 0.02) << seed;
+    EXPECT_GE(fit.frictional.value, 0) << seed;
+    if (fit.basis != ModuliFrom::kNoFrictional) continue;
+    ++held;
+    EXPECT_EQ(fit.frictional.value, 0);
+    EXPECT_LT(fit.free_value, 0);
+    EXPECT_GT(fit.cohesive.confidence, 0);
+    EXPECT_LT(fit.rms, 0.02 * 50e3 * std::sqrt(3));
+  }
+  EXPECT_GT(held, 10);
+  EXPECT_LT(held, 30);
+}
+
+// The wide plate 2 % low asks for k_2 = -4000 Pa/m with certainty.
+TEST(FitBearing, HoldsTheFrictionalModulusOfAPlateThatReadsLowAtZero) {
+  const BearingFit fit = FitBearing(
+      Pressed({0.05, 0.3},
+              [](double b, double z) { return (b > 0.1 ? 49e3 : 50e3) * std::sqrt(z / b); }),
+      BearingForm::kReece);
+  EXPECT_EQ(fit.basis, ModuliFrom::kNoFrictional);
+  EXPECT_NEAR(fit.free_value, -1e3 / 0.25, 1);
+  EXPECT_GT(fit.cohesive.value, 49e3);
+  EXPECT_LT(fit.cohesive.value, 50e3);
 }
 
 TEST(FitBearing, RefusesAFrictionalModulusBelowZero) {
@@ -157,8 +193,13 @@ TEST(ReadPlateSinkage, GivesSiByRow) {
 
 TEST(ReadPlateSinkage, RefusesWhatIsNoTestWithRowAndRule) {
   EXPECT_EQ(Refusal("5,10,20\n5,20,35\n"), ":3: there must be at least 3 rows, got 2");
-  EXPECT_EQ(Refusal("5,10,20\n5,20,35\n5,30,40\n30,10,10\n"),
-            ":5: the plate of width 0.3 m must have at least 3 rows with sinkage, got 1");
+  EXPECT_EQ(
+      Refusal("5,10,20\n5,20,35\n5,30,40\n30,10,10\n"),
+      ":5: the plate of width 0.3 m must have at least 3 rows with sinkage and pressure, got 1");
+  EXPECT_EQ(
+      Refusal("5,10,0\n5,20,0\n5,30,40\n"),
+      ":4: the plate of width 0.05 m must have at least 3 rows with sinkage and pressure, got "
+      "1");
   EXPECT_EQ(Refusal("5,10,20\n5,20,-35\n5,30,40\n"), ":3: pressure must be >= 0 Pa, got -35000 Pa");
   EXPECT_EQ(Refusal("5,10,20\n5,-20,35\n5,30,40\n"), ":3: sinkage must be >= 0 m, got -0.02 m");
   EXPECT_EQ(Refusal("5,10,20\n0,20,35\n5,30,40\n"), ":3: width must be > 0 m, got 0 m");

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <limits>
 #include <utility>
 
 namespace softsoil {
@@ -97,6 +98,20 @@ TEST(NurbsBumps, DoNotRepeat) {
   for (const auto& [i, j] : {std::pair{0, 4}, {4, 0}, {16, 16}, {-256, 1}, {0, 65536}}) {
     EXPECT_NEAR(Correlation(kBumps, kBumps, i * kBumps.spacing, j * kBumps.spacing), 0, 0.02)
         << i << " " << j;
+  }
+}
+
+// 2^53 spacings out, and wherever a coordinate can be.
+TEST(NurbsBumps, StayAsTheyAreWhereDoublesNoLongerTellControlPoints) {
+  const double edge = 9007199254740992 * kBumps.spacing;
+  const double largest = std::numeric_limits<double>::max();
+  const NurbsBumps fine = {0.05, kBumpSpacingLimits.least, 7};  // largest / spacing overflows
+  for (double sign : {-1.0, 1.0}) {
+    for (double x : {1e19, 1e30, largest}) {
+      EXPECT_EQ(HeightOf(kBumps, sign * x, 0.3), HeightOf(kBumps, sign * edge, 0.3)) << x;
+      EXPECT_EQ(HeightOf(kBumps, 0.3, sign * x), HeightOf(kBumps, 0.3, sign * edge)) << x;
+    }
+    EXPECT_LE(std::abs(HeightOf(fine, sign * largest, sign * largest)), fine.height);
   }
 }
 

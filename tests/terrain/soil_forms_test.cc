@@ -75,6 +75,16 @@ TEST(SoilFile, MayHoldThePlaceOfTheGreatestStress) {
   EXPECT_FALSE(Read(SoilXml("s")).max_stress.has_value());
 }
 
+TEST(SoilFile, MovesTheVirginCurveByMoisture) {
+  const std::string xml =
+      With("<moisture slope=\"530\" saturation=\"1\" reference_saturation=\"0.4\" source=\"x\"/>");
+  EXPECT_DOUBLE_EQ(Read(Replaced(xml, "530", "-0.5")).compaction.moisture_shift, -0.3);
+  EXPECT_EQ(Refusal(Replaced(xml, "\"1\"", "\"1.01\"")),
+            " <moisture>: saturation must be 0 to 1, got 1.01");
+  EXPECT_EQ(Refusal(Replaced(xml, "\"0.4\"", "\"40\"")),
+            " <moisture>: reference_saturation must be 0 to 1, got 40");
+}
+
 TEST(SoilFile, MayHoldLayersOfDensity) {
   const Soil soil =
       Read(With("<layers top=\"0.15 0.3\" initial_density=\"1350 1500\" source=\"a test\"/>"));

@@ -39,10 +39,10 @@ Tested<ShearFit> SomeShearTest() {
   return {fit, "shear.csv", "shear.csv: a test"};
 }
 
-Tested<BearingFit> SomePlateTest(CohesiveModulus basis) {
+Tested<BearingFit> SomePlateTest(ModuliFrom basis) {
   BearingFit fit{};
   fit.basis = basis;
-  fit.cohesive = {basis == CohesiveModulus::kFitted ? 5000.0 : 0.0, 10, 20};
+  fit.cohesive = {basis == ModuliFrom::kPlates ? 5000.0 : 0.0, 10, 20};
   fit.frictional = {1e6, 1e4, 2e4};
   fit.exponent = {0.9, 0.01, 0.02};
   fit.widths = {0.3};
@@ -150,7 +150,7 @@ TEST(Identify, NeedsMoreThanADensity) {
 
 TEST(Identify, TakesNoCohesiveModulusOfOnePlateForGranted) {
   SoilEvidence evidence = ClassAndLike("CL");
-  evidence.bearing = SomePlateTest(CohesiveModulus::kUnknown);
+  evidence.bearing = SomePlateTest(ModuliFrom::kPlatesOfOneWidth);
   const IdentifiedSoil open = Identify(evidence);
   EXPECT_THAT(open.missing, ElementsAre("bearing"));
   EXPECT_EQ(Find(open, "bearing k_e")->value, 1e6);
@@ -164,14 +164,24 @@ TEST(Identify, TakesNoCohesiveModulusOfOnePlateForGranted) {
 
 TEST(Identify, TellsOfABoundThatDecidedInPlaceOfTheData) {
   SoilEvidence evidence = ClassAndLike("CL");
-  evidence.bearing = SomePlateTest(CohesiveModulus::kHeldAtZero);
-  evidence.bearing->fit.free_cohesive = -3200;
+  evidence.bearing = SomePlateTest(ModuliFrom::kNoCohesive);
+  evidence.bearing->fit.free_value = -3200;
   evidence.shear = SomeShearTest();
   evidence.shear->fit.bound = StrengthBound::kNoCohesion;
   evidence.shear->fit.free_value = -500;
   const IdentifiedSoil found = Identify(evidence);
   EXPECT_THAT(Find(found, "bearing k_c")->warning, HasSubstr("the readings ask for -3200"));
   EXPECT_THAT(Find(found, "shear cohesion")->warning, HasSubstr("the readings ask for -500"));
+  evidence.bearing = SomePlateTest(ModuliFrom::kNoFrictional);
+  evidence.bearing->fit.form = BearingForm::kReece;
+  evidence.bearing->fit.cohesive = {50e3, 100, 200};
+  evidence.bearing->fit.frictional = HeldAt(0);
+  evidence.bearing->fit.free_value = -4000;
+  const IdentifiedSoil clay = Identify(evidence);
+  EXPECT_EQ(Find(clay, "bearing k_1")->value, 50e3);
+  EXPECT_EQ(Find(clay, "bearing k_2")->value, 0);
+  EXPECT_THAT(Find(clay, "bearing k_2")->warning, HasSubstr("the readings ask for -4000"));
+  EXPECT_THAT(clay.undetermined, IsEmpty());
 }
 
 TEST(Identify, WarnsOfAParameterThatTheReadingsHardlyDetermine) {
@@ -181,6 +191,74 @@ TEST(Identify, WarnsOfAParameterThatTheReadingsHardlyDetermine) {
   evidence.shear->fit.cohesion.confidence = 8000;
   EXPECT_EQ(Find(Identify(evidence), "shear cohesion")->warning,
             "the readings hardly determine it");
+}
+
+TEST(Identify, NamesTheParametersThatMayNotBeZeroButMightBe) {
+  SoilEvidence evidence = ClassAndLike("CL");
+  evidence.bearing = SomePlateTest(ModuliFrom::kPlates);
+  BearingFit& fit = evidence.bearing->fit;
+  fit.cohesive.confidence = 6000;  // of 5000: cohesion may be none
+  EXPECT_THAT(Identify(evidence).undetermined, IsEmpty());
+  fit.frictional.confidence = 2e6;
+  fit.exponent.confidence = 1;
+  EXPECT_THAT(Identify(evidence).undetermined, ElementsAre("bearing k_phi", "bearing n"));
+  fit.exponent.confidence = 0.02;
+  fit.form = BearingForm::kReece;
+  EXPECT_THAT(Identify(evidence).undetermined, ElementsAre("bearing k_1", "bearing k_2"));
+  fit.cohesive.confidence = 20;
+  EXPECT_THAT(Identify(evidence).undetermined, IsEmpty());
+}
+
+// A soil with everything that a soil may have besides.
+Soil FullSoil() {
+  Soil soil = LooseSoil();
+  soil.unloading = {1.5e6, 2.5e8};
+  soil.shear.form = ShearForm::kHumped;
+  soil.shear.residual = 0.3;
+  soil.layers = {{0.15, 1350}, {0.3, 1500}};
+  soil.max_stress = MaxStress{0.43, 0.32};
+  return soil;
+}
+
+TEST(Identify, ReportsAllThatTheEntryHasOfAnotherSoil) {
+  SoilEvidence evidence;
+  evidence.like = FullSoil();
+  const IdentifiedSoil found = Identify(evidence);
+  const std::pair<const char*, double> rows[] = {{"shear residual", 0.3},
+                                                 {"unloading k_0", 1.5e6},
+                                                 {"unloading A_u", 2.5e8},
+                                                 {"layers initial_density below 0.15 m", 1350},
+                                                 {"layers initial_density below 0.3 m", 1500},
+                                                 {"max_stress c_1", 0.43},
+                                                 {"max_stress c_2", 0.32}};
+  for (const auto& [parameter, value] : rows) {
+    const auto finding = Find(found, parameter);
+    ASSERT_TRUE(finding) << parameter;
+    EXPECT_EQ(finding->value, value) << parameter;
+    EXPECT_EQ(finding->how, "as of another") << parameter;
+    EXPECT_EQ(finding->made_from, "loose") << parameter;
+  }
+  EXPECT_EQ(found.entry.source.at("max_stress"), "not identified: as of loose");
+}
+
+TEST(Identify, ReportsNothingOfAnotherSoilThatTheEntryHasNot) {
+  SoilEvidence evidence = ClassAndLike("CL");
+  for (const char* parameter : {"unloading k_0", "max_stress c_1", "shear residual"}) {
+    EXPECT_FALSE(Find(Identify(evidence), parameter)) << parameter;
+  }
+  evidence.like = FullSoil();  // whose hump and layers measurements and relations replace
+  EXPECT_FALSE(Find(Identify(evidence), "shear residual"));
+  EXPECT_FALSE(Find(Identify(evidence), "layers initial_density below 0.15 m"));
+  EXPECT_TRUE(Find(Identify(evidence), "max_stress c_1"));
+}
+
+TEST(Identify, WithoutCompositionAndDensityIsAsDenseAsTheOtherSoil) {
+  SoilEvidence evidence;
+  evidence.like = LooseSoil();
+  evidence.like->compaction.initial_density = 1300;
+  const IdentifiedSoil found = Identify(evidence);
+  EXPECT_EQ(found.entry.soil.compaction.initial_density, 1300);
+  EXPECT_GT(Find(found, "preconsolidation stress")->value, 1.5 * 96e3);
 }
 
 }  // namespace
