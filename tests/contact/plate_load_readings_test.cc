@@ -116,15 +116,21 @@ TEST(PlateLoadOracle, AgreesWithAnIndependentCalculation) {
 }
 
 struct Band {
-  double least, most;  // [N]  of the five printed springs at 0.1 m, read as printed
+  double least, most;  // [N]  of the printed linear and root springs at 0.1 m, read as printed
 };
-constexpr Band kBands[] = {{26.4e3, 28.3e3}, {40.2e3, 41.9e3}, {31.1e3, 31.9e3}};
+constexpr Band kBands[] = {{26.4e3, 28.3e3}, {40.3e3, 41.8e3}, {31.1e3, 31.8e3}};
+constexpr double kBeyond = 0.003;  // [-]  of the other three springs, which are no least squares
 
 TEST(PrintedSprings, CarryTheSameLoadInThePrintedReading) {
   for (std::size_t i = 0; i < PrintedTires().size(); ++i) {
     const PrintedTire& tire = PrintedTires()[i];
     for (const PrintedSpring& printed : tire.All()) {
       const double load = Oracle(tire.shape, printed.spring, 0.1, kPrinted);
+      EXPECT_GE(load, (1 - kBeyond) * kBands[i].least) << tire.name;
+      EXPECT_LE(load, (1 + kBeyond) * kBands[i].most) << tire.name;
+    }
+    for (const PrintedSpring* usable : {&tire.linear, &tire.root}) {
+      const double load = Oracle(tire.shape, usable->spring, 0.1, kPrinted);
       EXPECT_GE(load, kBands[i].least) << tire.name;
       EXPECT_LE(load, kBands[i].most) << tire.name;
     }
@@ -145,7 +151,7 @@ TEST(PrintedSprings, CarryLoadsInTheirBandsOrALittleBelow) {
       if (load >= kBands[i].least) ++inside;
     }
   }
-  EXPECT_EQ(inside, 2);
+  EXPECT_EQ(inside, 1);
 }
 
 // Ours carries 1 to 5 % less than the printed reading at 0.1 m, and more at small deflections,
