@@ -25,16 +25,16 @@ void AddComposition(CLI::App& command, SoilOptions& options) {
 void AddTests(CLI::App& command, SoilOptions& options) {
   command.option_defaults()->group("Its tests");
   command.add_option("--plate", options.plate,
-                     "CSV file of plate-sinkage tests: width [mm], sinkage [mm], pressure [kPa], "
-                     "each in any unit");
+                     "CSV file of plate-sinkage tests with the columns width [mm], sinkage [mm], "
+                     "pressure [kPa]; other units too");
   command.add_flag("--reece", options.reece,
                    "Fit k_1, k_2 of Reece to the plates instead of k_c, k_phi of Bekker");
   command.add_flag("--frictional", options.frictional,
                    "For plates of one width: take k_c = 0, the soil being frictional");
   command.add_option(
       "--shear", options.shear,
-      "CSV file of shear tests: normal_stress [kPa], displacement [mm], shear_stress [kPa], each "
-      "in any unit");
+      "CSV file of shear tests with the columns normal_stress [kPa], displacement [mm], "
+      "shear_stress [kPa]; other units too");
 }
 
 void AddLike(CLI::App& command, SoilOptions& options) {

@@ -228,7 +228,7 @@ class Refusals(InAFolder):
         refused("50,1,0\n50,2,0\n50,3,40\n", f"{few} 1")
 
     def test_plates_that_determine_nothing(self):
-        """The same pressure at every depth, and the deeper the less certain: n may be zero."""
+        """Pressures that scatter more than they rise."""
         rows = "50,10,40\n50,20,60\n50,30,56\n300,10,55\n300,20,50\n300,30,60\n"
         plate = self.write("plate.csv", PLATE_HEADER + rows)
         self.assertRefused(["--like", "lete_sand", "--plate", plate], "the readings do not "
