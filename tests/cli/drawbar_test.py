@@ -2,10 +2,15 @@
 import csv
 import json
 import os
+import pathlib
+import subprocess
+import sys
 import unittest
+import xml.etree.ElementTree as ET
 
-from program import BAD_INPUT, COARSE, InAFolder, softsoil
+from program import BAD_INPUT, COARSE, InAFolder, softsoil, summary_of
 
+ROOT = pathlib.Path(__file__).resolve().parents[2]
 TIRE, SOIL, LOAD = "18.4R38_85kPa", "tilled_yolo_loam", 18000
 RADIUS, GRAVITY = 0.91, 9.81
 TORQUE = 3000  # [N m]
@@ -101,6 +106,37 @@ class PrescribedSlip(Bin):
             self.assertEqual(one, two, name)
 
 
+class SoilWithoutStrength(Bin):
+    """A wheel on it slides where it is pulled and spins where it is driven."""
+
+    def slides(self, *more):
+        text = (ROOT / "models" / "soils" / "yolo_loam.xml").read_text()
+        soil = ET.fromstring(text).find("soil[@name='tilled_yolo_loam']")
+        soil.set("name", "slurry")
+        shear = soil.find("shear")
+        shear.set("cohesion", "0")
+        shear.set("friction_angle_deg", "0")
+        soils = self.write("slurry.xml", f"<soils>{ET.tostring(soil, encoding='unicode')}</soils>")
+        done = self.drawbar("--soil-file", soils, *more, soil="slurry", out=self.folder / "out")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        return done, summary_of(self.folder / "out"), table(self.folder / "out" / "drawbar.csv")
+
+    def test_has_no_rolling_radius_and_no_rolling_slip(self):
+        for drive in (["--slip", "0.1"], ["--mode", "spin", "--spin", "1"]):
+            done, summary, [row] = self.slides(*drive)
+            self.assertEqual(row["rolling_slip [-]"], "")
+            self.assertNotIn("rolling_radius", summary["free_rolling"])
+            self.assertLess(summary["free_rolling"]["slip"], -0.9)
+            self.assertIn("does not roll freely", done.stdout)
+            self.assertIn("rolling_slip is left empty", done.stderr)
+
+    def test_is_drawn_all_the_same(self):
+        done, _, _ = self.slides("--slip", "0.1,0.3")
+        arguments = [sys.executable, "plugin/cli/plot/drawbar.py", self.folder / "out"]
+        subprocess.run(arguments, check=True, cwd=ROOT)
+        self.assertTrue((self.folder / "out" / "drawbar.png").exists())
+
+
 class CentreLine(Bin):
     def test_pressure_and_shear_along_the_contact(self):
         peak = {row["slip"]: row["peak_pressure"] for row in self.rows("--slip", "0.3")}
@@ -148,6 +184,27 @@ class PrescribedTorque(Bin):
         points = numbers(self.folder / "centre_line.csv")
         self.assertEqual({point["time"] for point in points}, {0.5, 2})
 
+    def test_same_bits_on_any_number_of_soil_threads(self):
+        files = ["history.csv", "centre_line.csv", "summary.json"]
+        results = []
+        for threads in (1, 2):
+            self.history("--bumps", "0.05,1", "--threads", threads)
+            results.append([(self.folder / name).read_bytes() for name in files])
+        self.assertEqual(*results)
+
+    def test_ground_may_be_high_and_low(self):
+        lowest = 9
+        for seed in ("", ",2", ",3"):
+            rows = self.history("--bumps", f"2,5{seed}", "--set", "clock=0.02")
+            self.assertTrue(summary_of(self.folder)["settled"])
+            lowest = min(lowest, *(float(row["z [m]"]) for row in rows))
+        self.assertLess(lowest, 0)
+
+    def test_a_load_that_the_soil_cannot_carry_leaves_no_result(self):
+        done = self.drawbar("--mode", "torque", "--torque", TORQUE, "--time", 1, load=500000)
+        self.assertFails(done, BAD_INPUT, "--load: the soil cannot carry 500000 N")
+        self.assertEqual(os.listdir(self.folder), [])
+
     def test_bumps_shake_the_wheel(self):
         def swing(rows):
             heights = [float(row["z [m]"]) for row in rows if float(row["time [s]"]) > 1]
@@ -164,6 +221,16 @@ class RigidWheel(Bin):
         slips = [float(row["slip [-]"]) for row in table(self.folder / "wong_reece.csv")]
         self.assertEqual([round(slip, 9) for slip in slips], [0.1, 0.3])  # driven ones alone
         self.assertTrue((self.folder / "rim_stress.csv").exists())
+
+    def test_is_that_of_softsoil_wong_reece(self):
+        options = ["--slip", "0.3,1.5", "--c1", "0.4", "--c2", "0.3"]
+        self.rows(*options, "--wong-reece", "--wong-reece-width", "0.575")
+        alone = self.folder / "alone"
+        done = softsoil("wong-reece", "--tire", TIRE, "--soil", SOIL, "--load", LOAD, *options,
+                        "--width", "0.575", "--no-picture", "--out", alone)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        for name in ("wong_reece.csv", "rim_stress.csv", "wong_reece.json"):
+            self.assertEqual((self.folder / name).read_bytes(), (alone / name).read_bytes(), name)
 
 
 class Pictures(Bin):
@@ -197,7 +264,11 @@ class BadInput(Bin):
         self.refused('unknown soil "mud"; known are: ', "--slip", "0.1", soil="mud")
 
     def test_numbers_out_of_range(self):
-        self.refused("--slip must be -0.99 to 100, got -1", "--slip=-1")
+        self.refused("--slip must be -0.99 to 9, got -1", "--slip=-1")
+        self.refused("--slip must be -0.99 to 9, got 10; it is a ratio, 0.1 for 10 %", "--slip",
+                     "10:40:10")
+        self.refused("--wong-reece-width must be 0.001 to 10 m, got 0", "--slip", "0.1",
+                     "--wong-reece", "--wong-reece-width", "0")
         self.refused("--load must be 0.1 to 1e+07 N, got 0", "--slip", "0.1", load=0)
         self.refused("--load must be", "--slip", "0.1", load="nan")
         self.refused("--speed must be 0.01 to 100 m/s, got 0", "--slip", "0.1", "--speed", "0")
@@ -228,6 +299,17 @@ class BadInput(Bin):
     def test_soil_that_does_not_say_where_it_presses_most(self):
         self.refused("has no <max_stress", "--slip", "0.1", "--wong-reece", soil="lete_sand")
 
+    def test_a_rigid_wheel_without_a_slip(self):
+        self.refused("--wong-reece: the rigid wheel is driven, so one --slip must be >= 0, got "
+                     "-0.1", "--slip=-0.2,-0.1", "--wong-reece")
+        self.refused("--wong-reece-width is for --wong-reece", "--slip", "0.1",
+                     "--wong-reece-width", "0.5")
+
+    def test_a_path_with_a_comma(self):
+        for option in ("--soil-file", "--tire-file"):
+            self.refused(f"{option}: the path must not hold a comma, got ", "--slip", "0.1", option,
+                         self.write("a,b.xml", ""))
+
     def test_a_folder_that_cannot_be_written(self):
         file = self.write("file", "")
         self.assertFails(self.drawbar("--slip", "0.1", out=file), BAD_INPUT,
@@ -249,6 +331,16 @@ class NotSteady(Bin):
         self.assertEqual(numbers(self.folder / "drawbar.csv")[0]["steady"], 0)
         self.assertIn("not steady after", done.stderr)
         self.assertIn("not steady", done.stdout)
+        self.assertIs(summary_of(self.folder)["steady"], False)
+
+    def test_the_freely_rolling_wheel_counts_too(self):
+        # So light that it hops, while the spin that is asked for leaves it no time to.
+        self.drawbar("--slip", "0.1", load=1)
+        free = summary_of(self.folder)["free_rolling"]
+        self.assertIn("steady", free)
+        self.drawbar("--slip", "0.1")
+        summary = summary_of(self.folder)
+        self.assertEqual([summary["free_rolling"]["steady"], summary["steady"]], [True, True])
 
 
 if __name__ == "__main__":

@@ -275,6 +275,45 @@ TEST(WongReece, CarriesAlmostTheMostThatItSays) {
   EXPECT_NEAR(DrivenAt(0.2, c).entry_angle, 89 * kDegree, 1e-6);
 }
 
+// Clay that loses its strength after a hump: no towed wheel without torque beyond some entry.
+LoadedWheel OnBrittleClay(double modulus, double load) {
+  const Shear shear = {50000, 3 * kDegree, modulus, ShearForm::kHumped, 0};
+  return {{0.5, 0.3}, {1e5, 0.3, shear, {0.4, 0.3}}, load};
+}
+
+TEST(WongReece, TowsWhereNoSteeperEntryHasARim) {
+  double deepest = 0;
+  for (const double load : {100.0, 3000.0, 6000.0}) {
+    const WongReece towed = Towed(OnBrittleClay(0.05, load));
+    EXPECT_NEAR(towed.load / load, 1, 1e-9);
+    EXPECT_NEAR(towed.torque / (0.5 * load), 0, 1e-6);
+    EXPECT_GT(towed.sinkage, deepest);
+    deepest = towed.sinkage;
+  }
+  EXPECT_THAT([] { Towed(OnBrittleClay(0.05, 8000)); },
+              ThrowsMessage<InputError>(testing::MatchesRegex(
+                  "load must be < [0-9.]+ N, which the soil carries at an entry angle of 5[0-9] "
+                  "deg, got 8000")));
+}
+
+// The least sinkage of those that carry the load, and none where the load jumps over it.
+TEST(WongReece, CarriesTheLoadOrRefusesIt) {
+  int carried = 0, refused = 0;
+  for (double load = 250; load < 13000; load += 250) {
+    try {
+      const WongReece towed = Towed(OnBrittleClay(0.003, load));
+      EXPECT_NEAR(towed.load / load, 1, 1e-6) << load;
+      if (load < 1900) EXPECT_LT(towed.entry_angle, 38 * kDegree) << load;
+      ++carried;
+    } catch (const InputError& error) {
+      EXPECT_GT(load, 1900) << error.what();
+      ++refused;
+    }
+  }
+  EXPECT_GT(carried, 7);
+  EXPECT_GT(refused, 20);
+}
+
 TEST(WongReece, RefusesToTowOnSoilWithoutStrength) {
   LoadedWheel c = CompactSand1967();
   c.soil.shear.cohesion = c.soil.shear.friction_angle = 0;
