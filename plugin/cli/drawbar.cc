@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <filesystem>
 #include <memory>
+#include <system_error>
 
 #include "contact/tire_family.h"
 #include "plugin/cli/bin_rig.h"
@@ -58,7 +59,8 @@ void RequireAll(const char* option, Limits limits, const char* unit,
 // Commas separate the files in the model.
 void RequireNoComma(const char* option, const std::vector<std::string>& files) {
   for (const std::string& file : files) {
-    const std::string path = std::filesystem::absolute(file).string();
+    std::error_code none;  // an empty name has no path; the catalogue refuses it
+    const std::string path = std::filesystem::absolute(file, none).string();
     if (path.find(',') == std::string::npos) continue;
     throw InputError(std::string(option) + ": the path must not hold a comma, got \"" + path +
                      "\"");

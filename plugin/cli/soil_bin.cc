@@ -90,6 +90,7 @@ class Editor {
     SetMasses();
     SetDrives();
     SetSoil();
+    TouchSoilAlone();
     tinyxml2::XMLPrinter printer;
     document_.Print(&printer);
     return printer.CStr();
@@ -194,6 +195,12 @@ class Editor {
       entry->SetAttribute("name", ("softsoil_" + key).c_str());
       entry->SetAttribute("data", value.c_str());
     }
+  }
+
+  // In a valley of bumpy ground the rigid plane, which stays flat, would carry the sprung mass.
+  void TouchSoilAlone() {
+    XMLElement* const mass = Find("geom", "sprung_mass");
+    for (const char* bits : {"contype", "conaffinity"}) mass->SetAttribute(bits, "0");
   }
 
   const SoilBin& bin_;

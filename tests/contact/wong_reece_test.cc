@@ -299,19 +299,19 @@ TEST(WongReece, TowsWhereNoSteeperEntryHasARim) {
 // The least sinkage of those that carry the load, and none where the load jumps over it.
 TEST(WongReece, CarriesTheLoadOrRefusesIt) {
   int carried = 0, refused = 0;
-  for (double load = 250; load < 13000; load += 250) {
+  for (double load = 250; load < 13000; load += 750) {
     try {
       const WongReece towed = Towed(OnBrittleClay(0.003, load));
       EXPECT_NEAR(towed.load / load, 1, 1e-6) << load;
-      if (load < 1900) EXPECT_LT(towed.entry_angle, 38 * kDegree) << load;
+      EXPECT_LT(towed.entry_angle, (load < 1900 ? 38 : 89) * kDegree) << load;
       ++carried;
     } catch (const InputError& error) {
       EXPECT_GT(load, 1900) << error.what();
       ++refused;
     }
   }
-  EXPECT_GT(carried, 7);
-  EXPECT_GT(refused, 20);
+  EXPECT_GE(carried, 3);
+  EXPECT_GT(refused, 5);
 }
 
 TEST(WongReece, RefusesToTowOnSoilWithoutStrength) {
