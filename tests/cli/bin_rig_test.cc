@@ -2,6 +2,7 @@
 
 #include <gmock/gmock.h>
 
+#include "plugin/cli/steady_state.h"
 #include "terrain/input_error.h"
 
 namespace softsoil {
@@ -60,6 +61,20 @@ TEST(BinRig, SettlesOnSlopesWithoutRollingDown) {
     EXPECT_TRUE(SettleBraked(kLoad, rig.get())) << bumps;
     EXPECT_NEAR(rig->Wheel(0).force[2], kLoad, 0.01 * kLoad) << bumps;
     EXPECT_NEAR(rig->Wheel(0).centre[0], 0, 0.01) << bumps;
+  }
+}
+
+TEST(BinRig, DoesNotSettleUnderALoadThatIsNotItsOwn) {
+  EXPECT_FALSE(Settle(1.5 * kLoad, MakeRig(Tractor(""), 1).get()));
+}
+
+TEST(BinRig, IsNotSteadyUnlessItHadSettled) {
+  SoilBin bin = Tractor("");
+  bin.mode = BinMode::kSlip;
+  const BinDrive drive = {1.0, 1.2 / 0.91};
+  for (const double load : {kLoad, 1.5 * kLoad}) {
+    const auto rig = MakeRig(bin, 1);
+    EXPECT_EQ(DriveToSteadyState(drive, bin.shape, load, rig.get()).steady, load == kLoad);
   }
 }
 

@@ -108,6 +108,8 @@ def legend_above(axes, handles=None):
 def from_zero(axes):
     """Zero at the edge or inside, and room for the markers."""
     low, high = axes.dataLim.intervaly
+    if low == high == 0:
+        return
     room = 0.05 * (max(high, 0) - min(low, 0))
     axes.set_ylim(min(0, low) - room * (low < 0), max(0, high) + room * (high > 0))
 
