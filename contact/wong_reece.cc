@@ -14,7 +14,9 @@ namespace softsoil {
 namespace {
 
 // Steeper, and the wheel would be sunk to its axle.
-constexpr double kSteepestEntry = 89 * kPi / 180;
+constexpr double kSteepestEntry = 89 / kDegrees;
+constexpr int kEntries = 89;         // steps in which the entry angle is looked for
+constexpr double kLoadError = 1e-6;  // [-]
 
 void CheckPositive(const std::string& name, const std::string& unit, double value) {
   if (value > 0 && std::isfinite(value)) return;
@@ -32,7 +34,7 @@ void Check(const RigidWheel& wheel, const SoilUnderRim& soil, double load) {
   const double c = soil.shear.cohesion, phi = soil.shear.friction_angle;
   if (!(c >= 0 && std::isfinite(c))) throw InputError("cohesion must be >= 0 Pa, got " + Shown(c));
   if (!(phi >= 0 && phi < kPi / 2)) {
-    throw InputError("friction angle must be 0 to below 90 deg, got " + Shown(phi * 180 / kPi));
+    throw InputError("friction angle must be 0 to below 90 deg, got " + Shown(phi * kDegrees));
   }
 }
 
@@ -133,16 +135,41 @@ double Root(const Function& f, double a, double b, double f_a, double f_b) {
   return low + (high - low) / 2;
 }
 
-// The rim among rim_at(entry angle) that carries the load.
+// Throws InputError unless the rim carries the load: what jumps has no root.
+Rim Carrying(double load, const Rim& rim) {
+  const double carried = LoadOn(rim);
+  if (std::abs(carried - load) <= kLoadError * load) return rim;
+  throw InputError("load must be one that an entry angle carries; at " +
+                   Shown(rim.entry_angle * kDegrees) + " deg it jumps past " + Shown(load) + " N");
+}
+
+// The rim among rim_at(entry angle) that carries the load, of the least sinkage: the load need not
+// rise all the way to the steepest entry, nor every entry have a rim.
 template <class RimAt>
 Rim RimUnder(double load, const RimAt& rim_at) {
   const auto excess = [&](double entry_angle) { return LoadOn(rim_at(entry_angle)) - load; };
-  const double most = LoadOn(rim_at(kSteepestEntry));
-  if (!(most > load)) {
-    throw InputError("load must be < " + Shown(most) +
-                     " N, which the soil carries at an entry angle of 89 deg, got " + Shown(load));
+  double low = 0, lacking = -load, most = 0, steepest = 0;
+  std::string refusal;  // of the last entry without a rim
+  for (int k = 1; k <= kEntries; ++k) {
+    const double high = k == kEntries ? kSteepestEntry : k * kSteepestEntry / kEntries;
+    double carried = 0;
+    try {
+      carried = LoadOn(rim_at(high));
+    } catch (const InputError& error) {
+      refusal = error.what();
+      continue;
+    }
+    if (carried > load) {
+      return Carrying(load, rim_at(Root(excess, low, high, lacking, carried - load)));
+    }
+    low = high;
+    lacking = carried - load;
+    if (carried > most) most = carried, steepest = high;
   }
-  return rim_at(Root(excess, 0, kSteepestEntry, -load, most - load));
+  if (most == 0) throw InputError(refusal);
+  throw InputError("load must be < " + Shown(most) +
+                   " N, which the soil carries at an entry angle of " +
+                   Shown(std::round(steepest * kDegrees)) + " deg, got " + Shown(load));
 }
 
 double MaxStressRatio(const MaxStress& place, double slip) {
@@ -182,7 +209,7 @@ Rim TorqueFreeRim(const RigidWheel& wheel, const SoilUnderRim& soil, double thet
   }
   throw InputError(
       "a towed wheel must have some skid without torque, got none at the entry angle " +
-      Shown(theta_1 * 180 / kPi) + " deg; the load is too small, or the soil loses its strength");
+      Shown(theta_1 * kDegrees) + " deg; the load is too small, or the soil loses its strength");
 }
 
 }  // namespace

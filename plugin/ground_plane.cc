@@ -57,7 +57,7 @@ GroundPlane FindGroundPlane(const mjModel* m, const std::string& name) {
   const Frame plane = PoseAtStart(m, m->geom_bodyid[geom], 0) *
                       FrameAt(m->geom_pos + 3 * geom, m->geom_quat + 4 * geom);
   const Vector3d normal_w = plane.orientation.col(2), point_w = plane.position;
-  const double degrees = std::acos(std::min(1.0, normal_w.z())) * 180 / kPi;
+  const double degrees = std::acos(std::min(1.0, normal_w.z())) * kDegrees;
   if (degrees > kSteepestDegrees + 1e-9) {
     throw InputError("the ground, " + GeomName(m, geom) + ", must be at most " +
                      Shown(kSteepestDegrees) + " degrees from level, got " +

@@ -27,8 +27,6 @@ std::vector<RelationInput> BothIndices() {
   return {{"clay index", "", ClayIndexOf, {0.93, 5}}, GrainSizeIndexFrom(2.32, 5)};
 }
 
-constexpr double kDegree = kPi / 180;
-
 std::string WithUnit(double value, const char* unit) {
   return Shown(value) + (*unit != '\0' ? std::string(" ") + unit : "");
 }
@@ -119,7 +117,7 @@ const std::vector<Relation>& Relations() {
        "underdetermined: two soils with cohesion, three numbers"},
       {"friction angle", "deg", false, "CH, ML, CL, MH", BothIndices(),
        [](C soil) {
-         return FrictionAngle(soil.clay_index, soil.grain_size_index, soil.cone_index) / kDegree;
+         return FrictionAngle(soil.clay_index, soil.grain_size_index, soil.cone_index) * kDegrees;
        },
        "four soils, four numbers: no check; rating cone index 80, but for CL and MH that of the "
        "thesis"},

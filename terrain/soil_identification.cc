@@ -8,8 +8,6 @@
 namespace softsoil {
 namespace {
 
-constexpr double kDegree = kPi / 180;
-
 // What each piece of evidence says of the soil.
 class Identification : private SoilFindings {
  public:
@@ -128,7 +126,7 @@ void Identification::Shear() {
   }
   SetFitted("shear", "cohesion", fit.cohesion, from, held(StrengthBound::kNoCohesion, 1));
   SetFitted("shear", "friction_angle_deg", fit.friction_angle, from,
-            held(StrengthBound::kNoFriction, kDegree));
+            held(StrengthBound::kNoFriction, 1 * kDegreess));
   SetFitted("shear", "modulus", fit.modulus, from, curves);
   SourceOf("shear") = "least squares of shear tests, " + summary;
 }

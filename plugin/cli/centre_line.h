@@ -4,6 +4,7 @@
 #include <map>
 #include <vector>
 
+#include "contact/tire_nodes.h"
 #include "plugin/softsoil.h"
 
 namespace softsoil {
@@ -14,21 +15,26 @@ struct CentreLinePoint {
   double shear;     // [Pa]   along the circumference, positive where it drives forward
 };
 
-// Means over degrees of the circumference: the nodes of the tire stand a degree or more apart, and
-// pass every angle as the wheel turns.
+// Mean over instants at every half degree between two whole ones. At an instant stress is linear
+// from node to node of a ring, and 0 at a node that does not touch. The middle is one ring of
+// nodes, or the mean of the two beside it.
 class CentreLine {
  public:
-  // The contacts of one wheel at one instant. Only the nodes nearest to the middle count: one ring,
-  // or the two beside it.
+  // `nodes` of the tire.
+  explicit CentreLine(const TireNodes& nodes);
+  // The contacts of the tire at one instant.
   void Add(const std::vector<softsoilContact>& contacts);
   // By rising angle; empty if there was no contact.
   std::vector<CentreLinePoint> Points() const;
 
  private:
   struct Sum {
-    CentreLinePoint point = {};
-    int count = 0;
+    double pressure = 0, shear = 0;  // [Pa]
   };
+  double middle_;            // [m]    distance of the ring or rings from the middle plane
+  double pitch_;             // [deg]  between nodes of a ring
+  int rings_;                // 1 or 2
+  long instants_ = 0;        //
   std::map<int, Sum> sums_;  // by whole degrees
 };
 

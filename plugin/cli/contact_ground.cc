@@ -6,8 +6,8 @@
 
 namespace softsoil {
 
-double SunkVolume(const Simulation& simulation, const std::vector<softsoilContact>& contacts,
-                  double grid_spacing) {
+double CompactionVolume(const Simulation& simulation, const std::vector<softsoilContact>& contacts,
+                        double grid_spacing) {
   struct Span {
     long first, last;
   };

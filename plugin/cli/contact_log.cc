@@ -28,7 +28,7 @@ const ContactColumn kColumns[] = {
     {"x [m]", [](const Wheel&, const Contact& c) { return c.position[0]; }},
     {"y [m]", [](const Wheel&, const Contact& c) { return c.position[1]; }},
     {"z [m]", [](const Wheel&, const Contact& c) { return c.position[2]; }},
-    {"angle [deg]", [](const Wheel&, const Contact& c) { return c.angle * 180 / kPi; }},
+    {"angle [deg]", [](const Wheel&, const Contact& c) { return c.angle * kDegrees; }},
     {"ahead [m]", Ahead},
     {"lateral [m]", [](const Wheel&, const Contact& c) { return c.lateral; }},
     {"pressure [Pa]", [](const Wheel&, const Contact& c) { return c.pressure; }},

@@ -10,6 +10,8 @@ std::string CsvCell(double value) {
   return text;
 }
 
+std::string CsvCell(const std::optional<double>& value) { return value ? CsvCell(*value) : ""; }
+
 std::string CsvCell(const std::string& name) {
   if (name.find_first_of(",\"\n\r") == std::string::npos) return name;
   std::string quoted = "\"";

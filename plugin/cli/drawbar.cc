@@ -1,11 +1,13 @@
 #include "plugin/cli/drawbar.h"
 
+#include <cmath>
 #include <cstdio>
 #include <filesystem>
 #include <memory>
-#include <mutex>
+#include <system_error>
 
 #include "contact/tire_family.h"
+#include "plugin/cli/bin_rig.h"
 #include "plugin/cli/catalogues.h"
 #include "plugin/cli/drawbar_table.h"
 #include "plugin/cli/in_parallel.h"
@@ -13,6 +15,7 @@
 #include "plugin/cli/output_file.h"
 #include "plugin/cli/picture.h"
 #include "plugin/cli/rigid_wheel.h"
+#include "plugin/cli/slip_limits.h"
 #include "plugin/cli/standard_output.h"
 #include "plugin/cli/torque_history.h"
 #include "terrain/input_error.h"
@@ -23,12 +26,16 @@ namespace softsoil {
 namespace {
 
 constexpr std::size_t kMostCases = 200;
-constexpr Limits kLoadLimits = {0.1, 1e7};     // [N]
-constexpr Limits kSpeedLimits = {0.01, 100};   // [m/s]    slip is not defined below
-constexpr Limits kSlipLimits = {-0.99, 100};   // [-]      -1 is a locked wheel
-constexpr Limits kSpinLimits = {0.01, 1000};   // [rad/s]
-constexpr Limits kTorqueLimits = {1e-3, 1e7};  // [N m]
-constexpr Limits kTimeLimits = {0.1, 10000};   // [s]
+constexpr Limits kLoadLimits = {0.1, 1e7};          // [N]
+constexpr Limits kSpeedLimits = {0.01, 100};        // [m/s]    slip is not defined below
+constexpr Limits kSlipLimits = {-0.99, kMostSlip};  // [-]  -1 is a locked wheel
+constexpr Limits kSpinLimits = {0.01, 1000};        // [rad/s]
+constexpr Limits kTorqueLimits = {1e-3, 1e7};       // [N m]
+constexpr Limits kTimeLimits = {0.1, 10000};        // [s]
+constexpr Limits kWidthLimits = {0.001, 10};        // [m]
+
+constexpr double kHardlyTurns = 0.9;   // [-]    slip, driven or not, of a wheel that does not roll
+constexpr double kStandstill = 0.005;  // [m/s]  below any speed that can be asked for
 
 void Require(const char* option, Limits limits, const char* unit, double value) {
   if (Contains(limits, value)) return;
@@ -36,17 +43,37 @@ void Require(const char* option, Limits limits, const char* unit, double value) 
                    Shown(value));
 }
 
-void RequireAll(const char* option, Limits limits, const char* unit,
-                const std::vector<double>& values) {
+void RequireCount(const char* option, const std::vector<double>& values) {
   if (values.empty() || values.size() > kMostCases) {
     throw InputError(std::string(option) + " must be 1 to " + std::to_string(kMostCases) +
                      " numbers, got " + std::to_string(values.size()));
   }
+}
+
+void RequireAll(const char* option, Limits limits, const char* unit,
+                const std::vector<double>& values) {
+  RequireCount(option, values);
   for (const double value : values) Require(option, limits, unit, value);
 }
 
+// Commas separate the files in the model.
+void RequireNoComma(const char* option, const std::vector<std::string>& files) {
+  for (const std::string& file : files) {
+    std::error_code none;  // an empty name has no path; the catalogue refuses it
+    const std::string path = std::filesystem::absolute(file, none).string();
+    if (path.find(',') == std::string::npos) continue;
+    throw InputError(std::string(option) + ": the path must not hold a comma, got \"" + path +
+                     "\"");
+  }
+}
+
 void Check(const DrawbarOptions& options) {
+  RequireNoComma("--tire-file", options.tire_files);
+  RequireNoComma("--soil-file", options.soil_files);
   Require("--load", kLoadLimits, " N", options.load);
+  if (options.rigid_width) {
+    Require("--wong-reece-width", kWidthLimits, " m", *options.rigid_width);
+  }
   if (options.mode == BinMode::kTorque) {
     Require("--torque", kTorqueLimits, " N m", options.torque);
     Require("--time", kTimeLimits, " s", options.time);
@@ -54,7 +81,10 @@ void Check(const DrawbarOptions& options) {
     return;
   }
   Require("--speed", kSpeedLimits, " m/s", options.speed);
-  if (options.mode == BinMode::kSlip) RequireAll("--slip", kSlipLimits, "", options.slips);
+  if (options.mode == BinMode::kSlip) {
+    RequireCount("--slip", options.slips);
+    for (const double slip : options.slips) RequireSlip(kSlipLimits, slip);
+  }
   if (options.mode == BinMode::kSpin) RequireAll("--spin", kSpinLimits, " rad/s", options.spins);
 }
 
@@ -81,21 +111,12 @@ SoilBin BinOf(const DrawbarOptions& options, const Tire& tire) {
   return bin;
 }
 
-// The rig with its soil, at rest above the ground. May be called by several threads.
-std::unique_ptr<Simulation> MakeRig(const SoilBin& bin, int soil_threads) {
-  static std::mutex one_at_a_time;  // as MuJoCo compiles models
-  const std::lock_guard<std::mutex> lock(one_at_a_time);
-  auto rig = std::make_unique<Simulation>("soil_bin.xml", SoilBinModel(bin));
-  rig->GiveSoil("threads=" + std::to_string(soil_threads));
-  return rig;
-}
-
-// Results of an earlier run would be taken for those of one that is killed.
-void RemoveOldResults(const std::string& folder) {
+// Those of an earlier run would be taken for those of one that is killed.
+void RemoveResults(const std::string& folder) {
   for (const char* name : {"soil_bin.xml", "drawbar.csv", "history.csv", "centre_line.csv",
                            "wong_reece.csv", "rim_stress.csv", "wong_reece.json", "summary.json",
                            "drawbar.png", "centre_line.png", "history.png"}) {
-    std::filesystem::remove(folder + "/" + name);
+    for (const char* end : {"", ".part"}) std::filesystem::remove(folder + "/" + name + end);
   }
 }
 
@@ -103,6 +124,19 @@ void WriteModel(const DrawbarOptions& options, const SoilBin& bin) {
   OutputFile file(options.folder + "/soil_bin.xml");
   file.Write(SoilBinModel(bin));
   file.Finish();
+}
+
+// On soil without strength a wheel that is pulled hardly turns: it has no rolling radius.
+FreeRolling RollingAt(const SteadyState& state) {
+  const softsoilWheel& w = state.wheel;
+  FreeRolling rolling = {w.slip_ratio, {}, w.motion_resistance, state.steady, state.distance};
+  if (std::abs(w.slip_ratio) <= kHardlyTurns) rolling.rolling_radius = w.forward_speed / w.spin;
+  return rolling;
+}
+
+std::optional<double> RollingSlip(const std::optional<double>& radius, const softsoilWheel& w) {
+  if (!radius || w.forward_speed < kStandstill) return {};
+  return *radius * w.spin / w.forward_speed - 1;
 }
 
 // The cases of a curve: first the freely rolling wheel, then those that are asked for.
@@ -117,12 +151,10 @@ class Curve {
     states_.resize(1 + Asked().size());
     InParallel(static_cast<int>(states_.size()), options_.threads, [this](int i) { RunCase(i); });
     DrawbarResult result;
-    const softsoilWheel& freely = states_[0].wheel;
-    result.rolling = {freely.slip_ratio, freely.forward_speed / freely.spin,
-                      freely.motion_resistance};
+    result.rolling = RollingAt(states_[0]);
     for (std::size_t i = 1; i < states_.size(); ++i) {
-      const softsoilWheel& w = states_[i].wheel;
-      const double slip = result.rolling.rolling_radius * w.spin / w.forward_speed - 1;
+      const std::optional<double> slip =
+          RollingSlip(result.rolling.rolling_radius, states_[i].wheel);
       result.cases.push_back({Asked()[i - 1], states_[i], slip});
     }
     return result;
@@ -143,7 +175,7 @@ class Curve {
                        : asked;
     }
     const auto rig = MakeRig(i == 0 ? freely_rolling_ : bin_, 1);
-    states_[i] = DriveToSteadyState(drive, bin_.shape.radius, options_.load, rig.get());
+    states_[i] = DriveToSteadyState(drive, bin_.shape, options_.load, rig.get());
   }
 
   const DrawbarOptions& options_;
@@ -152,11 +184,24 @@ class Curve {
   std::vector<SteadyState> states_;
 };
 
+void Warn(const std::string& words) {
+  std::fprintf(stderr, "softsoil: warning: %s\n", words.c_str());
+}
+
 void SayWhatIsNotSteady(const DrawbarResult& result) {
+  const FreeRolling& rolling = result.rolling;
+  if (!rolling.steady) {
+    Warn("not steady after " + Rounded(rolling.distance, 2) +
+         " m: the wheel without torque, to which rolling_slip refers");
+  }
+  if (!rolling.rolling_radius) {
+    Warn("the wheel does not roll freely: without torque its slip is " + Rounded(rolling.slip, 3) +
+         "; it has no rolling radius, and rolling_slip is left empty");
+  }
   for (const DrawbarCase& c : result.cases) {
     if (c.state.steady) continue;
-    std::fprintf(stderr, "softsoil: warning: not steady after %.1f m: slip %.3g\n",
-                 c.state.distance, c.state.wheel.slip_ratio);
+    Warn("not steady after " + Rounded(c.state.distance, 2) + " m: slip " +
+         Rounded(c.state.wheel.slip_ratio, 3));
   }
 }
 
@@ -171,17 +216,18 @@ void RunCurve(const DrawbarOptions& options, const SoilBin& bin, const WongReece
   const bool by_slip = options.mode == BinMode::kSlip;
   WriteCentreLineCsv(options.folder, by_slip ? "slip [-]" : "spin [rad/s]", lines);
   if (options.wong_reece) WriteWongReece(rigid, options.folder);
-  WriteDrawbarSummary(options, bin.shape.radius, &result.rolling);
+  WriteDrawbarSummary(options, bin.shape.radius, result);
   WriteDrawbarCsv(options.folder, result.cases);
   PrintDrawbar(options, bin.shape.radius, result);
 }
 
 void RunHistory(const DrawbarOptions& options, const SoilBin& bin) {
   const auto rig = MakeRig(bin, options.threads);
-  const CentreLines lines = DriveByTorque(options, rig.get());
+  const TorqueHistory history = DriveByTorque(options, bin.shape, rig.get());
+  if (!history.settled) Warn("the wheel had not settled when the torque set in");
   WriteModel(options, bin);
-  WriteCentreLineCsv(options.folder, "time [s]", lines);
-  WriteDrawbarSummary(options, bin.shape.radius, nullptr);
+  WriteCentreLineCsv(options.folder, "time [s]", history.centre_lines);
+  WriteHistorySummary(options, bin.shape.radius, history.settled);
   const softsoilWheel w = rig->Wheel(0);
   std::printf("%s on %s, %g N, driven by %g N m: after %g s %.3f m/s at %.1f %% slip\n\n",
               options.tire.c_str(), options.soil.c_str(), options.load, options.torque,
@@ -201,9 +247,14 @@ void Drawbar(const DrawbarOptions& options) {
   HandleMujocoMessages();
   MakeRig(bin, 1);  // refuses bad settings
   PrepareFolder(options.folder);
-  RemoveOldResults(options.folder);
+  RemoveResults(options.folder);
   const bool curve = options.mode != BinMode::kTorque;
-  curve ? RunCurve(options, bin, rigid) : RunHistory(options, bin);
+  try {
+    curve ? RunCurve(options, bin, rigid) : RunHistory(options, bin);
+  } catch (...) {
+    RemoveResults(options.folder);
+    throw;
+  }
   if (options.picture) DrawPictures(python, options.folder, {"drawbar"});
   std::printf("Results in %s: %s, centre_line.csv, soil_bin.xml%s\n", options.folder.c_str(),
               curve ? "drawbar.csv" : "history.csv", options.picture ? ", pictures" : "");

@@ -8,6 +8,7 @@
 
 #include "plugin/cli/soil_bin.h"
 #include "plugin/cli/steady_state.h"
+#include "terrain/soil.h"
 
 namespace softsoil {
 
@@ -21,11 +22,12 @@ struct DrawbarOptions {
   double speed = 1;           // [m/s]    in mode slip, and of the freely rolling wheel
   double torque = 0;          // [N m]    in mode torque
   double time = 0;            // [s]      in mode torque, from the instant the torque sets in
-  std::vector<double> contact_times;  // [s]  in mode torque
-  std::string bumps;                  // of the ground, in mode torque; empty: flat
-  bool wong_reece = false;            // also the rigid wheel, in mode slip
-  std::optional<double> c_1, c_2;     // [-]  of the rigid wheel, both or none: the soil's
-  int threads = 1;                    // cases at a time
+  std::vector<double> contact_times;    // [s]  in mode torque
+  std::string bumps;                    // of the ground, in mode torque; empty: flat
+  bool wong_reece = false;              // also the rigid wheel, in mode slip
+  std::optional<double> rigid_width;    // [m]  of the rigid wheel, > 0; none: the tire's
+  std::optional<MaxStress> max_stress;  // below the rigid wheel; none: the soil's
+  int threads = 1;                      // cases at a time; in mode torque of the soil
   // Settings of softsoil, without the prefix softsoil_.
   std::vector<std::pair<std::string, std::string>> settings;
   std::string folder;
@@ -34,16 +36,19 @@ struct DrawbarOptions {
 
 // The wheel that is pulled without any torque on it.
 struct FreeRolling {
-  double slip = 0;               // [-]  against the unloaded radius
-  double rolling_radius = 0;     // [m]  forward speed over spin
-  double motion_resistance = 0;  // [N]
+  double slip = 0;                       // [-]  against the unloaded radius
+  std::optional<double> rolling_radius;  // [m]  forward speed over spin; none if it hardly turns
+  double motion_resistance = 0;          // [N]
+  bool steady = false;
+  double distance = 0;  // [m]  driven
 };
 
 // One row of drawbar.csv.
 struct DrawbarCase {
   double asked = 0;  // [-] or [rad/s]  slip or spin
   SteadyState state;
-  double rolling_slip = 0;  // [-]  (r_r w - v)/v with the rolling radius r_r
+  // [-]  (r_r w - v)/v with the rolling radius r_r; none without it, or on the spot
+  std::optional<double> rolling_slip;
 };
 
 struct DrawbarResult {

@@ -3,6 +3,7 @@
 #include <cctype>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <thread>
 #include <vector>
@@ -10,6 +11,7 @@
 #include "plugin/cli/commands.h"
 #include "plugin/cli/drawbar.h"
 #include "plugin/cli/number_range.h"
+#include "plugin/cli/rigid_wheel.h"
 #include "terrain/input_error.h"
 
 namespace softsoil {
@@ -30,6 +32,7 @@ struct Line {
   DrawbarOptions options;
   std::string mode = "slip", slip, spin, contact_times;
   std::vector<std::string> settings;
+  std::optional<double> c_1, c_2;
   int threads = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
   bool no_picture = false;
   CLI::App* command = nullptr;
@@ -73,11 +76,10 @@ void CheckMode(const Line& line) {
                        line.mode);
     }
   }
-  if (line.Given("--c1") != line.Given("--c2")) {
-    throw InputError("--c1 and --c2 must be given together");
-  }
-  if (line.Given("--c1") && !line.options.wong_reece) {
-    throw InputError("--c1 and --c2 are for --wong-reece");
+  for (const char* option : {"--c1", "--c2", "--wong-reece-width"}) {
+    if (line.Given(option) && !line.options.wong_reece) {
+      throw InputError(std::string(option) + " is for --wong-reece");
+    }
   }
   if (line.mode == "torque" && line.Given("--speed")) {
     throw InputError("--speed is for --mode slip and spin, not for --mode torque");
@@ -93,6 +95,7 @@ void RunLine(Line* line) {
   CheckMode(*line);
   DrawbarOptions& options = line->options;
   options.mode = ModeOf(line->mode);
+  options.max_stress = MaxStressGiven(line->c_1, line->c_2);
   if (options.mode == BinMode::kSlip) options.slips = NumbersIn("--slip", line->slip);
   if (options.mode == BinMode::kSpin) options.spins = NumbersIn("--spin", line->spin);
   if (options.mode == BinMode::kTorque) {
@@ -125,7 +128,10 @@ void AddInputs(CLI::App* command, Line* line) {
       ->add_option("--set", line->settings,
                    "KEY=VALUE: a softsoil_KEY of the model's <custom>, overridden")
       ->allow_extra_args(false);
-  command->add_option("--threads", line->threads, "Cases at a time; no influence on results")
+  command
+      ->add_option(
+          "--threads", line->threads,
+          "Cases at a time, or in --mode torque threads of the soil; no influence on results")
       ->capture_default_str();
   command->add_flag("--no-picture", line->no_picture,
                     "Do not draw, which needs python3 with matplotlib");
@@ -146,10 +152,12 @@ void AddDrives(CLI::App* command, Line* line) {
       ->capture_default_str();
   command->add_flag("--wong-reece", options.wong_reece,
                     "Also the rigid wheel of Wong and Reece, in --mode slip");
+  command->add_option("--wong-reece-width", options.rigid_width,
+                      "--wong-reece: width of the rigid wheel [m]; if left out the tire's");
   command->add_option(
-      "--c1", options.c_1,
+      "--c1", line->c_1,
       "--wong-reece: soil presses most at (c1 + c2 i) of the entry angle; if left out the soil's");
-  command->add_option("--c2", options.c_2, "See --c1");
+  command->add_option("--c2", line->c_2, "See --c1");
   command->add_option("--torque", options.torque, "Torque in --mode torque [N m]");
   command->add_option("--time", options.time, "Time to simulate in --mode torque [s]");
   command->add_option("--bumps", options.bumps,

@@ -1,4 +1,4 @@
-// What softsoil drawbar writes of steady motion.
+// What softsoil drawbar writes and prints.
 #pragma once
 
 #include <string>
@@ -17,8 +17,9 @@ using CentreLines = std::vector<std::pair<double, std::vector<CentreLinePoint>>>
 void WriteCentreLineCsv(const std::string& folder, const std::string& key,
                         const CentreLines& lines);
 
-// summary.json; `rolling` is null in mode torque.
-void WriteDrawbarSummary(const DrawbarOptions& options, double radius, const FreeRolling* rolling);
+// summary.json of a curve, and of a history in mode torque.
+void WriteDrawbarSummary(const DrawbarOptions& options, double radius, const DrawbarResult& result);
+void WriteHistorySummary(const DrawbarOptions& options, double radius, bool settled);
 
 // On stdout, not flushed.
 void PrintDrawbar(const DrawbarOptions& options, double radius, const DrawbarResult& result);

@@ -3,10 +3,36 @@
 #include <algorithm>
 #include <atomic>
 #include <exception>
+#include <functional>
+#include <system_error>
 #include <thread>
 #include <vector>
 
 namespace softsoil {
+namespace {
+
+// Threads that are joined whatever happens. Where the system gives no more of them, those that it
+// gave do the work.
+class Helpers {
+ public:
+  Helpers(const std::function<void()>& work, int count) {
+    threads_.reserve(std::max(count, 0));
+    try {
+      for (int t = 0; t < count; ++t) threads_.emplace_back(work);
+    } catch (const std::system_error&) {
+    }
+  }
+  ~Helpers() {
+    for (std::thread& thread : threads_) thread.join();
+  }
+  Helpers(const Helpers&) = delete;
+  Helpers& operator=(const Helpers&) = delete;
+
+ private:
+  std::vector<std::thread> threads_;
+};
+
+}  // namespace
 
 void InParallel(int count, int threads, const std::function<void(int)>& work) {
   std::vector<std::exception_ptr> failures(count);
@@ -24,10 +50,10 @@ void InParallel(int count, int threads, const std::function<void(int)>& work) {
       }
     }
   };
-  std::vector<std::thread> others;
-  for (int t = 1; t < std::min(threads, count); ++t) others.emplace_back(serve);
-  serve();
-  for (std::thread& other : others) other.join();
+  {
+    Helpers helpers(serve, std::min(threads, count) - 1);
+    serve();
+  }
   for (const std::exception_ptr& failure : failures) {
     if (failure) std::rethrow_exception(failure);
   }

@@ -1,7 +1,6 @@
 #include "plugin/cli/number_range.h"
 
 #include <cmath>
-#include <cstdio>
 
 #include "terrain/input_error.h"
 
@@ -27,10 +26,8 @@ double Number(const std::string& word) {
                    "\"");
 }
 
-double Rounded(double value) {
-  char digits[32];
-  std::snprintf(digits, sizeof digits, "%.12g", value);
-  ParseNumber(digits, &value);
+double AsWritten(double value) {
+  ParseNumber(Rounded(value, 12), &value);
   return value;
 }
 
@@ -61,7 +58,7 @@ std::vector<double> Range(const std::string& text) {
   const double steps = std::floor((last - first) / step * (1 + 1e-9));
   CheckCount(steps + 1);
   std::vector<double> numbers;
-  for (int k = 0; k <= steps; ++k) numbers.push_back(Rounded(first + k * step));
+  for (int k = 0; k <= steps; ++k) numbers.push_back(AsWritten(first + k * step));
   return numbers;
 }
 

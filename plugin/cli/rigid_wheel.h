@@ -1,5 +1,8 @@
-// The rigid wheel of Wong and Reece beside the tire of softsoil drawbar.
+// The rigid wheel of Wong and Reece on a soil of the catalogue, alone or beside the tire of
+// softsoil drawbar.
 #pragma once
+
+#include <optional>
 
 #include "contact/tire.h"
 #include "plugin/cli/drawbar.h"
@@ -8,9 +11,16 @@
 
 namespace softsoil {
 
-// A rigid wheel of the tire's unloaded radius and width, driven at those of options.slips that are
-// not negative. Throws InputError where the theory has no answer, or the soil does not say where
-// it presses most and the options do not either.
+// What --c1 and --c2 give, if they do. Throws InputError if one is given alone.
+std::optional<MaxStress> MaxStressGiven(std::optional<double> c_1, std::optional<double> c_2);
+
+// The soil below a rim of that width [m]. It presses most where `max_stress` says, or else the
+// soil. Throws InputError if neither does.
+SoilUnderRim UnderRim(const Soil& soil, double width, const std::optional<MaxStress>& max_stress);
+
+// A rigid wheel of the tire's unloaded radius, and of its width if the options give none, driven at
+// those of options.slips that are not negative. Throws InputError if there is none, where the
+// theory has no answer, and as above.
 WongReeceResults RigidWheelBeside(const Tire& tire, const Soil& soil,
                                   const DrawbarOptions& options);
 

@@ -105,8 +105,12 @@ void Simulation::SetControl(const char* actuator, double value) {
   data_->ctrl[IdOf(mjOBJ_ACTUATOR, actuator)] = value;
 }
 
-void Simulation::RemoveDamper(const char* joint) {
-  model_->dof_damping[model_->jnt_dofadr[IdOf(mjOBJ_JOINT, joint)]] = 0;
+void Simulation::SetPosition(const char* joint, double position) {
+  data_->qpos[model_->jnt_qposadr[IdOf(mjOBJ_JOINT, joint)]] = position;
+}
+
+void Simulation::SetDamper(const char* joint, double damping) {
+  model_->dof_damping[model_->jnt_dofadr[IdOf(mjOBJ_JOINT, joint)]] = damping;
 }
 
 int Simulation::IdOf(mjtObj kind, const char* name) const {

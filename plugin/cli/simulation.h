@@ -37,8 +37,10 @@ class Simulation {
 
   // Sets the control of an actuator. Throws std::invalid_argument if there is none of that name.
   void SetControl(const char* actuator, double value);
-  // Takes the damper out of a joint. Throws std::invalid_argument if there is none of that name.
-  void RemoveDamper(const char* joint);
+  // Of a joint with one degree of freedom: its position [m] or [rad], before any step, and the
+  // damping [N s/m] or [N m s]. Throw std::invalid_argument if there is none of that name.
+  void SetPosition(const char* joint, double position);
+  void SetDamper(const char* joint, double damping);
 
   // Makes the results of the wheels those of the present instant. Without it they are those of the
   // last evaluation, up to a time step ago. Has no influence on the motion.

@@ -16,7 +16,6 @@ using tinyxml2::XMLElement;
 constexpr double kSprungShare = 0.9, kUnsprungShare = 0.05;  // [-]  of the mass, 6.3.1
 // Rim of the 18.4R38, 38 in by 16 in, in a tire of 1.82 m by 18.4 in.
 constexpr double kRimPerRadius = 0.4826 / 0.91, kRimPerWidth = 16 / 18.4;
-constexpr double kServoPerLoad = 1e6;  // [N s/m per N], [N m s per N m]
 
 // The element of a kind and name, anywhere below `parent`; null if there is none.
 XMLElement* Search(XMLElement* parent, const std::string& kind, const std::string& name) {
@@ -90,6 +89,7 @@ class Editor {
     SetMasses();
     SetDrives();
     SetSoil();
+    TouchSoilAlone();
     tinyxml2::XMLPrinter printer;
     document_.Print(&printer);
     return printer.CStr();
@@ -129,6 +129,15 @@ class Editor {
     ScaleLengths(rig, scale_);
   }
 
+  void SetInertia(const char* body, double mass, const std::vector<double>& inertia) {
+    XMLElement* const inertial = Body(body, "inertial");
+    std::string numbers;
+    for (const double value : inertia) numbers += (numbers.empty() ? "" : " ") + Shown(value);
+    inertial->SetAttribute("mass", Shown(mass).c_str());
+    inertial->SetAttribute("diaginertia", numbers.c_str());
+  }
+
+  // Of a body that never turns: its inertia plays no part.
   void SetMass(const char* body, double mass) {
     XMLElement* const inertial = Body(body, "inertial");
     inertial->SetAttribute("mass", Shown(mass).c_str());
@@ -139,14 +148,11 @@ class Editor {
     const double mass = bin_.load / kGravity;
     SetMass("sprung_mass", kSprungShare * mass);
     SetMass("spindle", kUnsprungShare * mass);
-    SetMass("wheel", kUnsprungShare * mass);
     // A solid cylinder of the rim's size, 6.3.1.
     const double rim = kRimPerRadius * bin_.shape.radius, width = kRimPerWidth * bin_.shape.width;
     const double across = kUnsprungShare * mass * (3 * rim * rim + width * width) / 12;
     const double spin = kUnsprungShare * mass * rim * rim / 2;
-    Body("wheel", "inertial")
-        ->SetAttribute("diaginertia",
-                       (Shown(across) + " " + Shown(spin) + " " + Shown(across)).c_str());
+    SetInertia("wheel", kUnsprungShare * mass, {across, spin, across});
     XMLElement* const suspension = Find("joint", "suspension");
     Multiply(suspension, "stiffness", {scale_.mass});
     Multiply(suspension, "damping", {scale_.mass});
@@ -188,6 +194,12 @@ class Editor {
       entry->SetAttribute("name", ("softsoil_" + key).c_str());
       entry->SetAttribute("data", value.c_str());
     }
+  }
+
+  // In a valley of bumpy ground the rigid plane, which stays flat, would carry the sprung mass.
+  void TouchSoilAlone() {
+    XMLElement* const mass = Find("geom", "sprung_mass");
+    for (const char* bits : {"contype", "conaffinity"}) mass->SetAttribute(bits, "0");
   }
 
   const SoilBin& bin_;

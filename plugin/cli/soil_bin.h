@@ -30,8 +30,13 @@ struct SoilBin {
   std::vector<std::pair<std::string, std::string>> settings;
 };
 
-// Names of the actuators in the model: a speed [m/s], a spin [rad/s], a torque [N m].
+// Names of the actuators in the model: a speed [m/s], a spin [rad/s], a torque [N m]. The first two
+// are those of the joints too.
 constexpr char kForward[] = "forward", kSpin[] = "spin", kTorque[] = "torque";
+constexpr char kHeave[] = "heave";  // joint, upwards
+
+// Damping of the servos.
+constexpr double kServoPerLoad = 1e6;  // [N s/m per N], [N m s per N m]
 
 // The model in MJCF. Throws std::runtime_error if the shipped scene is not what it was.
 std::string SoilBinModel(const SoilBin& bin);

@@ -10,6 +10,7 @@
 #include <optional>
 #include <vector>
 
+#include "contact/tire.h"
 #include "plugin/cli/centre_line.h"
 #include "plugin/cli/simulation.h"
 
@@ -22,23 +23,18 @@ struct BinDrive {
 };
 
 struct SteadyState {
-  softsoilWheel wheel = {};    // means; centre, force and torque_at_centre at the end
-  double sunk_volume = 0;      // [m^3]  of the ground in contact
-  double compacted_share = 0;  // [-]    of the rut's volume: what is not pushed aside
-  bool steady = false;         // else the longest distance was reached first
-  double distance = 0;         // [m]    driven
+  softsoilWheel wheel = {};      // means; centre, force and torque_at_centre at the end
+  double compaction_volume = 0;  // [m^3]  by which the ground in contact has sunk
+  // [-]  of the rut that was made meanwhile: soil that became denser, and was not pushed aside
+  double densified_share = 0;
+  bool steady = false;  // else the wheel did not settle, or the longest distance came first
+  double distance = 0;  // [m]    driven
   std::vector<CentreLinePoint> centre_line;
 };
 
-// `radius` [m] and `load` [N] of the wheel; the simulation has soil and has not been stepped.
-// Throws InputError if the wheel sinks to its axle.
-SteadyState DriveToSteadyState(const BinDrive& drive, double radius, double load,
-                               Simulation* simulation);
-
-// Lets the wheel sink in, without drive, until its load is its weight. Throws as above.
-void Settle(double load, Simulation* simulation);
-
-// One time step. Throws InputError if the wheel sinks to its axle, at the height 0.
-void StepUnlessSunk(double load, Simulation* simulation);
+// `shape` of the tire and `load` [N] of the wheel; the rig has not been stepped. Throws InputError
+// if the wheel sinks to its axle.
+SteadyState DriveToSteadyState(const BinDrive& drive, const TireShape& shape, double load,
+                               Simulation* rig);
 
 }  // namespace softsoil

@@ -8,7 +8,6 @@ namespace softsoil {
 namespace {
 
 using Wheel = softsoilWheel;
-constexpr double kDegrees = 180 / kPi;
 
 }  // namespace
 

@@ -12,6 +12,8 @@
 #include "plugin/cli/number_range.h"
 #include "plugin/cli/output_file.h"
 #include "plugin/cli/picture.h"
+#include "plugin/cli/rigid_wheel.h"
+#include "plugin/cli/slip_limits.h"
 #include "plugin/cli/wong_reece_table.h"
 #include "terrain/input_error.h"
 #include "terrain/limits.h"
@@ -44,46 +46,33 @@ void Check(const Line& line) {
   if (line.slip.empty() && !line.towed) {
     throw InputError("--slip for a driven wheel or --towed is required");
   }
-  if (line.c_1.has_value() != line.c_2.has_value()) {
-    throw InputError("--c1 and --c2 must be given together");
-  }
 }
 
-// Slip i = 1 - v/(r w) of each driven wheel. The bounds catch a slip given in percent.
+// Slip i = 1 - v/(r w) of each driven wheel.
 std::vector<double> Slips(const Line& line) {
   if (line.slip.empty()) return {};
-  constexpr Limits kSlip = {0, 1};
+  const bool sae = line.definition == kSae;
   std::vector<double> slips = NumbersIn("--slip", line.slip);
   for (double& slip : slips) {
-    if (!Contains(kSlip, slip)) {
-      throw InputError("--slip must be " + InWords(kSlip) + ", got " + Shown(slip));
-    }
-    if (line.definition == kWongReece && slip == 1) {
-      throw InputError("--slip must be < 1 where the wheel is not to spin on the spot, got 1");
-    }
-    if (line.definition == kSae) slip = SlipFromSae(slip);
+    RequireSlip({0, sae ? kMostSlip : SlipFromSae(kMostSlip)}, slip);
+    if (sae) slip = SlipFromSae(slip);
   }
   return slips;
 }
 
 // A towed wheel needs none.
-MaxStress MaxStressOn(const Soil& soil, const Line& line) {
-  if (line.c_1) return {*line.c_1, *line.c_2};
-  if (soil.max_stress) return *soil.max_stress;
-  if (line.slip.empty()) return {};
-  throw InputError("soil \"" + soil.name + "\" has no <max_stress c_1=... c_2=...>, where it " +
-                   "presses most on a driven wheel; give --c1 and --c2");
-}
-
-SoilUnderRim UnderRim(const Soil& soil, double width, const MaxStress& max_stress) {
-  return {BearingModulus(soil.bearing, width), soil.bearing.n, soil.shear, max_stress};
+SoilUnderRim UnderRim(const Soil& soil, double width, const Line& line) {
+  std::optional<MaxStress> max_stress = MaxStressGiven(line.c_1, line.c_2);
+  const bool needed = !line.slip.empty();
+  if (!max_stress && !soil.max_stress && !needed) max_stress = MaxStress{};
+  return UnderRim(soil, width, max_stress);
 }
 
 WongReeceResults Solve(const Line& line) {
   const Tire tire = FindTire(TiresWith(line.tire_files), line.tire);
   const Soil soil = SoilsWith(line.soil_files).Find(line.soil);
   const RigidWheel wheel = {tire.shape.radius, line.width.value_or(tire.shape.width)};
-  const SoilUnderRim under_rim = UnderRim(soil, wheel.width, MaxStressOn(soil, line));
+  const SoilUnderRim under_rim = UnderRim(soil, wheel.width, line);
   WongReeceResults results = {tire.name, soil.name, wheel, under_rim, line.load, {}};
   if (line.towed) {
     results.rolling.push_back(At("towed", [&] { return TowedWheel(wheel, under_rim, line.load); }));
@@ -130,7 +119,7 @@ void AddInputs(CLI::App* command, Line* line) {
 
 void AddRolling(CLI::App* command, Line* line) {
   command->add_option("--slip", line->slip,
-                      "Slips, 0 to 1, of the driven wheel: first:last:step or a list, 0.05,0.1");
+                      "Slips of the driven wheel: first:last:step or a list, 0.05,0.1");
   command
       ->add_option("--slip-definition", line->definition,
                    "sae: (r w - v)/v, as in all reports; wong-reece: i = 1 - v/(r w)")

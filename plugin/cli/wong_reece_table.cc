@@ -12,7 +12,6 @@
 namespace softsoil {
 namespace {
 
-constexpr double kDegrees = 180 / kPi;
 constexpr int kAnglesAlongRim = 181;
 
 struct Column {
@@ -87,8 +86,8 @@ void WriteInputs(const WongReeceResults& results, const std::string& folder) {
   file.Finish();
 }
 
-// Rounded such that -0.01 becomes 0.0 and not -0.0.
-double Rounded(double value) { return std::round(value * 10) / 10 + 0.0; }
+// To a tenth, such that -0.01 is printed as 0.0 and not as -0.0.
+double ToTenths(double value) { return std::round(value * 10) / 10 + 0.0; }
 
 }  // namespace
 
@@ -107,10 +106,10 @@ void PrintWongReece(const WongReeceResults& results) {
               "sinkage [cm]", "entry angle [deg]", "max stress at [deg]");
   for (const WongReece& w : results.rolling) {
     std::printf("%-6s %14.1f %9.1f %10.1f %21.1f %16.1f %12.1f %12.1f %17.1f %19.1f\n", Mode(w),
-                Rounded(100 * SaeFromSlip(w.slip)), Rounded(100 * w.slip), Rounded(w.thrust),
-                Rounded(w.motion_resistance), Rounded(w.drawbar_pull), Rounded(w.torque),
-                Rounded(100 * w.sinkage), Rounded(w.entry_angle * kDegrees),
-                Rounded(w.max_stress_angle * kDegrees));
+                ToTenths(100 * SaeFromSlip(w.slip)), ToTenths(100 * w.slip), ToTenths(w.thrust),
+                ToTenths(w.motion_resistance), ToTenths(w.drawbar_pull), ToTenths(w.torque),
+                ToTenths(100 * w.sinkage), ToTenths(w.entry_angle * kDegrees),
+                ToTenths(w.max_stress_angle * kDegrees));
   }
   FlushStandardOutput();
 }

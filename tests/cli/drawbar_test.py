@@ -1,40 +1,20 @@
 """softsoil drawbar: the soil bin at many slips, spins, and under a torque."""
-import csv
 import json
 import os
+import subprocess
+import sys
 import unittest
+import xml.etree.ElementTree as ET
 
-from program import BAD_INPUT, COARSE, InAFolder, softsoil
+from program import BAD_INPUT, COARSE, softsoil, summary_of
+from soil_bin_runs import LOAD, ROOT, SOIL, TIRE, Bin, numbers, table
 
-TIRE, SOIL, LOAD = "18.4R38_85kPa", "tilled_yolo_loam", 18000
 RADIUS, GRAVITY = 0.91, 9.81
 TORQUE = 3000  # [N m]
 CURVE = ["drawbar.csv", "centre_line.csv", "summary.json", "soil_bin.xml"]
 UNITS = {"slip": "-", "rolling_slip": "-", "thrust": "N", "motion_resistance": "N",
          "drawbar_pull": "N", "torque": "N m", "power": "W", "sinkage": "m", "rut_depth": "m",
          "compaction_volume": "m^3", "load": "N", "steady": "-"}
-
-
-def table(path):
-    with open(path, newline="") as file:
-        return list(csv.DictReader(file))
-
-
-def numbers(path):
-    """Rows of a CSV file of numbers, columns without their units."""
-    return [{key.split(" [")[0]: float(value) for key, value in row.items()}
-            for row in table(path)]
-
-
-class Bin(InAFolder):
-    def drawbar(self, *more, tire=TIRE, soil=SOIL, load=LOAD, out=None):
-        return softsoil("drawbar", "--tire", tire, "--soil", soil, "--load", load, "--out",
-                        out or self.folder, *COARSE, *more)
-
-    def rows(self, *more, out=None, **given):
-        done = self.drawbar(*more, out=out, **given)
-        self.assertEqual(done.returncode, 0, done.stderr)
-        return numbers((out or self.folder) / "drawbar.csv")
 
 
 class PrescribedSlip(Bin):
@@ -101,6 +81,37 @@ class PrescribedSlip(Bin):
             self.assertEqual(one, two, name)
 
 
+class SoilWithoutStrength(Bin):
+    """A wheel on it slides where it is pulled and spins where it is driven."""
+
+    def slides(self, *more):
+        text = (ROOT / "models" / "soils" / "yolo_loam.xml").read_text()
+        soil = ET.fromstring(text).find("soil[@name='tilled_yolo_loam']")
+        soil.set("name", "slurry")
+        shear = soil.find("shear")
+        shear.set("cohesion", "0")
+        shear.set("friction_angle_deg", "0")
+        soils = self.write("slurry.xml", f"<soils>{ET.tostring(soil, encoding='unicode')}</soils>")
+        done = self.drawbar("--soil-file", soils, *more, soil="slurry", out=self.folder / "out")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        return done, summary_of(self.folder / "out"), table(self.folder / "out" / "drawbar.csv")
+
+    def test_has_no_rolling_radius_and_no_rolling_slip(self):
+        for drive in (["--slip", "0.1"], ["--mode", "spin", "--spin", "1"]):
+            done, summary, [row] = self.slides(*drive)
+            self.assertEqual(row["rolling_slip [-]"], "")
+            self.assertNotIn("rolling_radius", summary["free_rolling"])
+            self.assertLess(summary["free_rolling"]["slip"], -0.9)
+            self.assertIn("does not roll freely", done.stdout)
+            self.assertIn("rolling_slip is left empty", done.stderr)
+
+    def test_is_drawn_all_the_same(self):
+        done, _, _ = self.slides("--slip", "0.1,0.3")
+        arguments = [sys.executable, "plugin/cli/plot/drawbar.py", self.folder / "out"]
+        subprocess.run(arguments, check=True, cwd=ROOT)
+        self.assertTrue((self.folder / "out" / "drawbar.png").exists())
+
+
 class CentreLine(Bin):
     def test_pressure_and_shear_along_the_contact(self):
         peak = {row["slip"]: row["peak_pressure"] for row in self.rows("--slip", "0.3")}
@@ -148,6 +159,29 @@ class PrescribedTorque(Bin):
         points = numbers(self.folder / "centre_line.csv")
         self.assertEqual({point["time"] for point in points}, {0.5, 2})
 
+    def test_same_bits_on_any_number_of_soil_threads(self):
+        files = ["history.csv", "centre_line.csv", "summary.json"]
+        results = []
+        for threads in (1, 2):
+            self.history("--bumps", "0.05,1", "--threads", threads)
+            results.append([(self.folder / name).read_bytes() for name in files])
+        self.assertEqual(*results)
+
+    def test_ground_may_be_high_and_low(self):
+        starts = []
+        for bumps in ("2,5", "2,5,2", "2,5,3", "5,10,2", "5,10,3", "5,10,6"):
+            rows = self.history("--bumps", bumps)
+            self.assertTrue(summary_of(self.folder)["settled"])
+            starts.append(float(rows[0]["z [m]"]))
+            self.assertAlmostEqual(float(rows[0]["x [m]"]), 0, delta=0.01)
+        self.assertLess(min(starts), -0.9)  # in a valley, with its axle below the height 0
+        self.assertGreater(max(starts), 2)
+
+    def test_a_load_that_the_soil_cannot_carry_leaves_no_result(self):
+        done = self.drawbar("--mode", "torque", "--torque", TORQUE, "--time", 1, load=500000)
+        self.assertFails(done, BAD_INPUT, "--load: the soil cannot carry 500000 N")
+        self.assertEqual(os.listdir(self.folder), [])
+
     def test_bumps_shake_the_wheel(self):
         def swing(rows):
             heights = [float(row["z [m]"]) for row in rows if float(row["time [s]"]) > 1]
@@ -164,6 +198,16 @@ class RigidWheel(Bin):
         slips = [float(row["slip [-]"]) for row in table(self.folder / "wong_reece.csv")]
         self.assertEqual([round(slip, 9) for slip in slips], [0.1, 0.3])  # driven ones alone
         self.assertTrue((self.folder / "rim_stress.csv").exists())
+
+    def test_is_that_of_softsoil_wong_reece(self):
+        options = ["--slip", "0.3,1.5", "--c1", "0.4", "--c2", "0.3"]
+        self.rows(*options, "--wong-reece", "--wong-reece-width", "0.575")
+        alone = self.folder / "alone"
+        done = softsoil("wong-reece", "--tire", TIRE, "--soil", SOIL, "--load", LOAD, *options,
+                        "--width", "0.575", "--no-picture", "--out", alone)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        for name in ("wong_reece.csv", "rim_stress.csv", "wong_reece.json"):
+            self.assertEqual((self.folder / name).read_bytes(), (alone / name).read_bytes(), name)
 
 
 class Pictures(Bin):
@@ -184,71 +228,6 @@ class Pictures(Bin):
     def test_a_history_is_drawn(self):
         self.assertEqual(self.drawn("--mode", "torque", "--torque", 1600, "--time", 0.5),
                          {"history.png", "centre_line.png"})
-
-
-class BadInput(Bin):
-    def refused(self, sentence, *more, **given):
-        out = self.folder / "out"
-        self.assertFails(self.drawbar(*more, out=out, **given), BAD_INPUT, sentence)
-        self.assertFalse(out.exists())
-
-    def test_names_that_nobody_knows_are_answered_by_those_that_are_known(self):
-        self.refused('unknown tire "round"; known are: ', "--slip", "0.1", tire="round")
-        self.refused('unknown soil "mud"; known are: ', "--slip", "0.1", soil="mud")
-
-    def test_numbers_out_of_range(self):
-        self.refused("--slip must be -0.99 to 100, got -1", "--slip=-1")
-        self.refused("--load must be 0.1 to 1e+07 N, got 0", "--slip", "0.1", load=0)
-        self.refused("--load must be", "--slip", "0.1", load="nan")
-        self.refused("--speed must be 0.01 to 100 m/s, got 0", "--slip", "0.1", "--speed", "0")
-        self.refused("--slip must be 1 to 200 numbers, got 1001", "--slip", "0:1:0.001")
-        self.refused("--slip", "--slip", "0.1:0.3:0")
-        self.refused("--slip", "--slip", "0.1:0.3:-0.1")
-        self.refused("--threads must be 1 to 1024, got 0", "--slip", "0.1", "--threads", "0")
-        self.refused("--contact-times must be 0 to 1 s, got 2", "--mode", "torque", "--torque",
-                     "10", "--time", "1", "--contact-times", "2")
-
-    def test_every_mode_says_what_it_needs(self):
-        self.refused("--mode slip needs --slip")
-        self.refused("--mode spin needs --spin", "--mode", "spin")
-        self.refused("--mode torque needs --time", "--mode", "torque", "--torque", "100")
-        self.refused("--spin is for --mode spin, not for --mode slip", "--slip", "0.1", "--spin",
-                     "1")
-        self.refused("--bumps is for --mode torque", "--slip", "0.1", "--bumps", "0.1,1")
-
-    def test_settings(self):
-        self.refused("--set soil: is chosen by --soil", "--slip", "0.1", "--set", "soil=lete_sand")
-        self.refused("--set mode: is given twice", "--slip", "0.1", "--set", "mode=flow", "--set",
-                     "mode=compaction")
-        self.refused("softsoil_clock: must be 0.0001 to 10 s, got 99", "--slip", "0.1", "--set",
-                     "clock=99")
-        self.refused("softsoil_bumps", "--mode", "torque", "--torque", "100", "--time", "1",
-                     "--bumps", "high")
-
-    def test_soil_that_does_not_say_where_it_presses_most(self):
-        self.refused("has no <max_stress", "--slip", "0.1", "--wong-reece", soil="lete_sand")
-
-    def test_a_folder_that_cannot_be_written(self):
-        file = self.write("file", "")
-        self.assertFails(self.drawbar("--slip", "0.1", out=file), BAD_INPUT,
-                         "cannot write into this folder")
-
-    def test_a_load_that_the_soil_cannot_carry_leaves_no_result(self):
-        self.write("drawbar.csv", "of an earlier run")
-        done = self.drawbar("--slip", "0.1", load=500000)
-        self.assertFails(done, BAD_INPUT, "--load: the soil cannot carry 500000 N",
-                         "sinks to its axle")
-        self.assertEqual(os.listdir(self.folder), [])
-
-
-class NotSteady(Bin):
-    def test_what_never_becomes_steady_is_said_so(self):
-        # So light that the wheel hops from node to node of the coarse grid.
-        done = self.drawbar("--slip", "0.1", load=1)
-        self.assertEqual(done.returncode, 0, done.stderr)
-        self.assertEqual(numbers(self.folder / "drawbar.csv")[0]["steady"], 0)
-        self.assertIn("not steady after", done.stderr)
-        self.assertIn("not steady", done.stdout)
 
 
 if __name__ == "__main__":

@@ -102,6 +102,16 @@ TEST(SoilBin, NamesTireSoilAndSettings) {
   EXPECT_THAT(model, HasSubstr(R"(<numeric name="softsoil_clock" data="0.005"/>)"));
 }
 
+TEST(SoilBin, TouchesNothingButSoil) {
+  const Rig rig(Tractor());
+  const int plane = rig.Id(mjOBJ_GEOM, "soil");
+  for (int geom = 0; geom < rig.m().ngeom; ++geom) {
+    if (geom == plane) continue;
+    EXPECT_EQ(rig.m().geom_contype[geom] & rig.m().geom_conaffinity[plane], 0) << geom;
+    EXPECT_EQ(rig.m().geom_contype[plane] & rig.m().geom_conaffinity[geom], 0) << geom;
+  }
+}
+
 TEST(SoilBin, IsFreeToMoveAheadWhereSpinOrTorqueIsPrescribed) {
   SoilBin bin = Tractor();
   bin.mode = BinMode::kSpin;

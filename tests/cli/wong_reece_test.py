@@ -82,6 +82,12 @@ class WongReece(InAFolder):
         self.assertEqual(forces["slip_i [-]"], [0.5])
         self.assertEqual(forces["slip [-]"], [1.0])
 
+    def test_slip_beyond_one(self):
+        _, out = self.solve("--slip", "0.5,1.5,9", "--no-picture")
+        forces = table(out / "wong_reece.csv")
+        np.testing.assert_allclose(forces["slip_i [-]"], [1 / 3, 0.6, 0.9])
+        self.assertEqual(forces["sinkage [m]"], sorted(forces["sinkage [m]"]))
+
     def test_options_override_tire_and_soil(self):
         def inputs(*options):
             _, out = self.solve("--slip", 0.1, "--no-picture", *options)
@@ -138,9 +144,9 @@ class BadInput(InAFolder):
         refused(1e7, "towed: load must be < ", options=["--towed"])
 
     def test_slip(self):
-        self.assertRefused(["--slip", 1.5], "--slip must be 0 to 1, got 1.5")
-        self.assertRefused(["--slip", "10:70:10"], "--slip must be 0 to 1, got 10")
-        self.assertRefused(["--slip=-0.1"], "--slip must be 0 to 1, got -0.1")
+        self.assertRefused(["--slip", "10:70:10"],
+                           "--slip must be 0 to 9, got 10; it is a ratio, 0.1 for 10 %")
+        self.assertRefused(["--slip=-0.1"], "--slip must be 0 to 9, got -0.1")
         self.assertRefused(["--slip", "0.1:0.7"],
                            '--slip: a range must be first:last:step, got "0.1:0.7"')
         self.assertRefused(["--slip", "0.7:0.1:0.1"], "--slip: a range must not end below")
@@ -148,7 +154,7 @@ class BadInput(InAFolder):
         self.assertRefused([], "--slip for a driven wheel or --towed is required")
         self.assertRefused(["--slip", 0.1, "--slip-definition", "mine"], "mine", "sae")
         self.assertRefused(["--slip", 1, "--slip-definition", "wong-reece"],
-                           "--slip must be < 1 where the wheel is not to spin on the spot, got 1")
+                           "--slip must be 0 to 0.9, got 1")
 
     def test_width_and_place_of_the_greatest_stress(self):
         self.assertRefused(["--slip", 0.1, "--width", 0], "--width must be > 0 m, got 0")

@@ -31,6 +31,11 @@ STYLE = {"axes.spines.top": False, "axes.spines.right": False, "axes.grid": True
          "font.size": 10}
 
 
+def number(text):
+    """NaN where the cell is empty: what is not defined has no value."""
+    return float(text) if text else np.nan
+
+
 def read_table(path):
     """Column without its unit -> array; None if there is no such file."""
     if not path.exists():
@@ -39,7 +44,7 @@ def read_table(path):
         rows = list(csv.DictReader(file))
     names = [name.split(" [")[0] for name in (rows[0] if rows else {})]
     values = [[row[key] for row in rows] for key in (rows[0] if rows else {})]
-    return {name: np.array(column, str if name in TEXTS else float)
+    return {name: np.array(column if name in TEXTS else [number(text) for text in column])
             for name, column in zip(names, values)}
 
 
@@ -103,6 +108,8 @@ def legend_above(axes, handles=None):
 def from_zero(axes):
     """Zero at the edge or inside, and room for the markers."""
     low, high = axes.dataLim.intervaly
+    if low == high == 0:
+        return
     room = 0.05 * (max(high, 0) - min(low, 0))
     axes.set_ylim(min(0, low) - room * (low < 0), max(0, high) + room * (high > 0))
 
@@ -152,8 +159,11 @@ def name_lines(axes, ours, rigid):
 def subtitle_of(summary):
     free = summary["free_rolling"]
     where = f"at {summary['speed']:g} m/s" if summary["mode"] == "spin" else "(dotted)"
-    return (f"rolling freely {where}: {100 * free['slip']:.1f} % slip, rolling radius "
-            f"{free['rolling_radius']:.3f} m, resistance {free['motion_resistance'] / 1000:.2f} kN")
+    slip, resistance = 100 * free["slip"], free["motion_resistance"] / 1000
+    if "rolling_radius" not in free:
+        return f"does not roll freely: without torque {slip:.1f} % slip {where}"
+    return (f"rolling freely {where}: {slip:.1f} % slip, rolling radius "
+            f"{free['rolling_radius']:.3f} m, resistance {resistance:.3g} kN")
 
 
 def draw_curves(folder, summary):

@@ -1,0 +1,30 @@
+"""softsoil drawbar as its tests call it."""
+import csv
+import pathlib
+
+from program import COARSE, InAFolder, softsoil
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+TIRE, SOIL, LOAD = "18.4R38_85kPa", "tilled_yolo_loam", 18000
+
+
+def table(path):
+    with open(path, newline="") as file:
+        return list(csv.DictReader(file))
+
+
+def numbers(path):
+    """Rows of a CSV file of numbers, columns without their units."""
+    return [{key.split(" [")[0]: float(value) for key, value in row.items()}
+            for row in table(path)]
+
+
+class Bin(InAFolder):
+    def drawbar(self, *more, tire=TIRE, soil=SOIL, load=LOAD, out=None):
+        return softsoil("drawbar", "--tire", tire, "--soil", soil, "--load", load, "--out",
+                        out or self.folder, *COARSE, *more)
+
+    def rows(self, *more, out=None, **given):
+        done = self.drawbar(*more, out=out, **given)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        return numbers((out or self.folder) / "drawbar.csv")
