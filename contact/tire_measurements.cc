@@ -8,6 +8,8 @@
 namespace softsoil {
 namespace {
 
+// A record of a test machine has no more; each pressure has a panel of its own in the picture.
+constexpr std::size_t kMostRows = 5000, kMostPressures = 12;
 constexpr double kNoise = 0.05;  // of the file's greatest load: so much a load may fall
 
 void RequireBelowRadius(const Measurements& table, std::size_t row, double z, double radius) {
@@ -48,9 +50,10 @@ void RequireEnough(const std::string& file, const PressureTest& test) {
         file + ": " + place + "there must be at least " + std::to_string(kLeastRowsPerPressure) +
         " rows, one more than the largest form of spring has terms, got " + std::to_string(rows));
   }
-  if (*std::max_element(test.rows.load.begin(), test.rows.load.end()) <= 0) {
-    throw InputError(file + ": " + place + "there must be a load > 0 N");
-  }
+  const auto [least, most] = std::minmax_element(test.rows.load.begin(), test.rows.load.end());
+  if (*most > *least) return;
+  throw InputError(file + ": " + place + "load must rise with deflection, got " + Shown(*least) +
+                   " N in every row");
 }
 
 }  // namespace
@@ -61,6 +64,10 @@ std::vector<PressureTest> ReadLoadDeflection(const std::string& file, double rad
                             {"load", Quantity::kForce},
                             {"inflation_pressure", Quantity::kPressure, true}},
                            1);
+  if (table.rows() > kMostRows) {
+    table.Refuse(kMostRows, "there must be at most " + std::to_string(kMostRows) +
+                                " rows; thin them out, the fit would gain nothing");
+  }
   table.RequireNotNegative("deflection");
   table.RequireNotNegative("load");
   table.RequirePositive("inflation_pressure");
@@ -72,7 +79,13 @@ std::vector<PressureTest> ReadLoadDeflection(const std::string& file, double rad
     auto test = std::find_if(tests.begin(), tests.end(), [&](const PressureTest& known) {
       return known.inflation_pressure == pressure;
     });
-    if (test == tests.end()) test = tests.insert(test, PressureTest{pressure, {}});
+    if (test == tests.end()) {
+      if (tests.size() == kMostPressures) {
+        table.Refuse(row, "there must be at most " + std::to_string(kMostPressures) +
+                              " inflation pressures");
+      }
+      test = tests.insert(test, PressureTest{pressure, {}});
+    }
     Add(table, row, &test->rows);
   }
   for (const PressureTest& test : tests) RequireEnough(file, test);

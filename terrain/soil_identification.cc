@@ -126,7 +126,7 @@ void Identification::Shear() {
   }
   SetFitted("shear", "cohesion", fit.cohesion, from, held(StrengthBound::kNoCohesion, 1));
   SetFitted("shear", "friction_angle_deg", fit.friction_angle, from,
-            held(StrengthBound::kNoFriction, 1 * kDegreess));
+            held(StrengthBound::kNoFriction, 1 / kDegrees));
   SetFitted("shear", "modulus", fit.modulus, from, curves);
   SourceOf("shear") = "least squares of shear tests, " + summary;
 }
@@ -198,13 +198,19 @@ void Identification::InitialDensity() {
   const std::string stress = Shown(compaction.reference_stress / 1e3) + " kPa";
   if (evidence_.bulk_density) {
     constexpr double kQuartz = 2650;  // [kg/m^3]
+    constexpr double kLoosest = 300;  // [kg/m^3]  looser than any mineral soil: g/cm^3 is caught
     const double density = *evidence_.bulk_density;
+    if (!(density >= kLoosest && density < kQuartz)) {
+      throw InputError(
+          "the bulk density must be 300 kg/m^3 to below 2650 kg/m^3, the density of "
+          "quartz, got " +
+          Shown(density) + " kg/m^3");
+    }
     const double least = LeastInitialDensity(compaction);
-    if (!(density >= least && density < kQuartz)) {
-      throw InputError("the bulk density must be " + Rounded(least, 6) +
-                       " kg/m^3, where the virgin curve has 100 Pa, to below 2650 kg/m^3, the "
-                       "density of quartz, got " +
-                       Shown(density) + " kg/m^3");
+    if (density < least) {
+      throw InputError("the bulk density must be >= " + Rounded(least, 6) +
+                       " kg/m^3, where the virgin curve has 100 Pa, got " + Shown(density) +
+                       " kg/m^3");
     }
     Set("compaction", "initial_density", {"", density, "", 0, "measured", "bulk density", ""});
     SourceOf("compaction") += "; initial density measured";

@@ -33,7 +33,7 @@ const ContactColumn kColumns[] = {
     {"lateral [m]", [](const Wheel&, const Contact& c) { return c.lateral; }},
     {"pressure [Pa]", [](const Wheel&, const Contact& c) { return c.pressure; }},
     {"shear [Pa]", [](const Wheel&, const Contact& c) { return c.shear; }},
-    {"shear across [Pa]", [](const Wheel&, const Contact& c) { return c.shear_across; }},
+    {"shear_across [Pa]", [](const Wheel&, const Contact& c) { return c.shear_across; }},
     {"area [m^2]", [](const Wheel&, const Contact& c) { return c.area; }},
     {"depth [m]", [](const Wheel&, const Contact& c) { return c.depth; }},
 };

@@ -14,6 +14,7 @@
 #include "plugin/cli/mujoco_messages.h"
 #include "plugin/cli/output_file.h"
 #include "plugin/cli/picture.h"
+#include "plugin/cli/result_folder.h"
 #include "plugin/cli/rigid_wheel.h"
 #include "plugin/cli/slip_limits.h"
 #include "plugin/cli/standard_output.h"
@@ -111,13 +112,15 @@ SoilBin BinOf(const DrawbarOptions& options, const Tire& tire) {
   return bin;
 }
 
-// Those of an earlier run would be taken for those of one that is killed.
-void RemoveResults(const std::string& folder) {
-  for (const char* name : {"soil_bin.xml", "drawbar.csv", "history.csv", "centre_line.csv",
-                           "wong_reece.csv", "rim_stress.csv", "wong_reece.json", "summary.json",
-                           "drawbar.png", "centre_line.png", "history.png"}) {
-    for (const char* end : {"", ".part"}) std::filesystem::remove(folder + "/" + name + end);
-  }
+const std::vector<std::string> kResults = {"soil_bin.xml",    "drawbar.csv",     "history.csv",
+                                           "centre_line.csv", "wong_reece.csv",  "rim_stress.csv",
+                                           "summary.json",    "wong_reece.json", "drawbar.png",
+                                           "centre_line.png", "history.png"};
+
+std::vector<std::string> Inputs(const DrawbarOptions& options) {
+  std::vector<std::string> files = options.tire_files;
+  files.insert(files.end(), options.soil_files.begin(), options.soil_files.end());
+  return files;
 }
 
 void WriteModel(const DrawbarOptions& options, const SoilBin& bin) {
@@ -246,13 +249,12 @@ void Drawbar(const DrawbarOptions& options) {
   const std::string python = options.picture ? PythonThatPlots() : "";
   HandleMujocoMessages();
   MakeRig(bin, 1);  // refuses bad settings
-  PrepareFolder(options.folder);
-  RemoveResults(options.folder);
+  const ResultFolder folder(options.folder, kResults, Inputs(options));
   const bool curve = options.mode != BinMode::kTorque;
   try {
     curve ? RunCurve(options, bin, rigid) : RunHistory(options, bin);
   } catch (...) {
-    RemoveResults(options.folder);
+    folder.Clear();
     throw;
   }
   if (options.picture) DrawPictures(python, options.folder, {"drawbar"});

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
+#include <nlohmann/json.hpp>
 
 #include "plugin/cli/output_file.h"
 #include "plugin/cli/picture.h"
@@ -26,9 +27,16 @@ void RequireEnding(const std::optional<std::string>& file, const char* option, c
   throw InputError(std::string(option) + " must end in " + ending + ", got \"" + *file + "\"");
 }
 
-void RequireFree(const std::string& file, bool force) {
-  if (fs::is_directory(file)) throw InputError(file + ": is a folder, not a file");
-  if (!fs::exists(file) || force) return;
+void RequireFree(const std::string& file, bool force, const std::vector<std::string>& inputs) {
+  std::error_code error;
+  if (fs::is_directory(file, error)) throw InputError(file + ": is a folder, not a file");
+  for (const std::string& input : inputs) {
+    if (fs::equivalent(file, input, error)) throw InputError(file + ": is an input");
+  }
+  const fs::file_status status = fs::symlink_status(file, error);
+  if (status.type() == fs::file_type::not_found) return;
+  if (status.type() == fs::file_type::none) throw InputError(file + ": " + error.message());
+  if (force) return;
   throw InputError(file + ": is there already; --force overwrites it");
 }
 
@@ -48,8 +56,22 @@ void RequireEntryName(const std::string& name, const std::string& kind,
   if (name.find_first_of(" \t\r\n\v\f,;=@") != std::string::npos) {
     throw InputError("--name must hold no blank, comma, semicolon, = or @, got \"" + name + "\"");
   }
+  RequirePlainText("--name", name);
   if (std::find(taken.begin(), taken.end(), name) != taken.end()) {
     throw InputError("--name " + name + ": this name is taken already");
+  }
+}
+
+void RequirePlainText(const char* option, const std::string& text) {
+  const auto is_control = [](unsigned char c) { return c < ' ' || c == 0x7f; };
+  bool plain = std::none_of(text.begin(), text.end(), is_control);
+  try {
+    nlohmann::json(text).dump();  // checks the encoding
+  } catch (const nlohmann::json::type_error&) {
+    plain = false;
+  }
+  if (!plain) {
+    throw InputError(std::string(option) + " must be UTF-8 without control characters");
   }
 }
 
@@ -71,8 +93,9 @@ EntryFiles EntryFilesOf(const EntryFileOptions& options, bool is_fit) {
   return files;
 }
 
-void PrepareEntryFiles(const EntryFiles& files, bool force) {
-  for (const std::string& file : Wanted(files)) RequireFree(file, force);
+void PrepareEntryFiles(const EntryFiles& files, bool force,
+                       const std::vector<std::string>& inputs) {
+  for (const std::string& file : Wanted(files)) RequireFree(file, force, inputs);
   for (const std::string& file : Wanted(files)) {
     const fs::path folder = fs::path(file).parent_path();
     PrepareFolder(folder.empty() ? "." : folder.string());

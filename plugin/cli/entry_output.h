@@ -13,6 +13,9 @@ namespace softsoil {
 void RequireEntryName(const std::string& name, const std::string& kind,
                       const std::vector<std::string>& taken);
 
+// Throws InputError unless a text that goes into XML and JSON is UTF-8 without control characters.
+void RequirePlainText(const char* option, const std::string& text);
+
 struct EntryFiles {
   std::string xml, picture, json;  // empty: not wanted
 };
@@ -27,8 +30,8 @@ struct EntryFileOptions {
 EntryFiles EntryFilesOf(const EntryFileOptions& options, bool is_fit);
 
 // Makes the folders. Before that, throws InputError if a file is there already, unless it may be
-// overwritten by `force`.
-void PrepareEntryFiles(const EntryFiles& files, bool force);
+// overwritten by `force`; one of the `inputs` may never be.
+void PrepareEntryFiles(const EntryFiles& files, bool force, const std::vector<std::string>& inputs = {});
 
 struct EntryTexts {
   std::string entry, report;  // of .xml and .json

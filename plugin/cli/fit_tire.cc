@@ -191,7 +191,10 @@ void FitTire(const FitTireOptions& options) {
   const std::string entries = options.out ? EntriesOf(options, tire, friction) : "";
   if (options.out) RequireReadable(tires, entries, *options.out);
   const std::string python = files.picture.empty() ? "" : PythonThatPlots();
-  PrepareEntryFiles(files, options.force);
+  std::vector<std::string> inputs = options.tire_files;
+  inputs.push_back(options.data);
+  if (!options.contact_width.empty()) inputs.push_back(options.contact_width);
+  PrepareEntryFiles(files, options.force, inputs);
 
   PrintFits(tire);
   const std::string title = options.name.empty() ? FileName(options.data) : options.name;

@@ -28,7 +28,8 @@ void RemoveOld(const std::string& path, const std::vector<std::string>& inputs) 
 }  // namespace
 
 ResultFolder::ResultFolder(const std::string& path, const std::vector<std::string>& names,
-                           const std::vector<std::string>& inputs) {
+                           const std::vector<std::string>& inputs)
+    : path_(path), names_(names) {
   PrepareFolder(path);
   lock_ = open(path.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
   if (lock_ < 0 || flock(lock_, LOCK_EX | LOCK_NB) != 0) {
@@ -40,6 +41,14 @@ ResultFolder::ResultFolder(const std::string& path, const std::vector<std::strin
   } catch (...) {
     close(lock_);
     throw;
+  }
+  Clear();
+}
+
+void ResultFolder::Clear() const {
+  std::error_code error;
+  for (const std::string& name : names_) {
+    for (const char* end : {"", ".part"}) std::filesystem::remove(path_ + "/" + name + end, error);
   }
 }
 

@@ -19,7 +19,12 @@ class ResultFolder {
   ResultFolder(const ResultFolder&) = delete;
   ResultFolder& operator=(const ResultFolder&) = delete;
 
+  // Takes away what this run has left, complete or not.
+  void Clear() const;
+
  private:
+  std::string path_;
+  std::vector<std::string> names_;
   int lock_;
 };
 

@@ -108,11 +108,19 @@ std::string Remedies(const SoilEvidence& evidence, const std::vector<std::string
   return text;
 }
 
-void RequireName(const std::string& name) {
+void RequireName(const SoilOptions& options) {
   std::vector<std::string> taken;
-  const Catalogue<Soil> shipped = SoilsWith();
-  for (const Soil& known : shipped.entries()) taken.push_back(known.name);
-  RequireEntryName(name, "soil", taken);
+  const Catalogue<Soil> soils = SoilsWith(options.soil_files);
+  for (const Soil& known : soils.entries()) taken.push_back(known.name);
+  RequireEntryName(options.name, "soil", taken);
+}
+
+std::vector<std::string> Inputs(const SoilOptions& options) {
+  std::vector<std::string> files = options.soil_files;
+  for (const auto& file : {options.plate, options.shear}) {
+    if (file) files.push_back(*file);
+  }
+  return files;
 }
 
 void RequireComplete(const SoilOptions& options, const SoilEvidence& evidence,
@@ -123,7 +131,7 @@ void RequireComplete(const SoilOptions& options, const SoilEvidence& evidence,
         "--shear or --like");
   }
   if (!options.out) return;
-  RequireName(options.name);
+  RequireName(options);
   if (!soil.missing.empty()) {
     throw InputError("the entry is incomplete: " + Remedies(evidence, soil.missing));
   }
@@ -150,6 +158,7 @@ void IdentifySoil(const SoilOptions& options) {
   const SoilTests tests = AddTests(options, &evidence);
   IdentifiedSoil soil = Identify(evidence);
   soil.entry.soil.name = options.name;
+  RequirePlainText("--description", options.description);
   soil.entry.soil.description = options.description;
   RequireComplete(options, evidence, soil);
   const bool is_tested = options.plate || options.shear;
@@ -157,7 +166,7 @@ void IdentifySoil(const SoilOptions& options) {
   const EntryFiles files =
       EntryFilesOf({options.out, options.picture, options.no_picture}, is_tested);
   const std::string python = files.picture.empty() ? "" : PythonThatPlots();
-  PrepareEntryFiles(files, options.force);
+  PrepareEntryFiles(files, options.force, Inputs(options));
 
   Print(evidence, soil);
   const std::string entry = files.xml.empty() ? "" : SoilXml(soil.entry);

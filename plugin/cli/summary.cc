@@ -35,13 +35,13 @@ Json WheelSummary(const WheelResult& wheel) {
   Json json;
   json["name"] = wheel.name;
   const std::vector<double> values = wheel.mean.Values();
-  for (std::size_t c = 0; c < values.size(); ++c) json[WheelColumns()[c].key] = values[c];
+  for (std::size_t c = 0; c < values.size(); ++c) json[KeyOf(WheelColumns()[c])] = values[c];
   return json;
 }
 
 Json WheelUnits() {
   Json units;
-  for (const WheelColumn& column : WheelColumns()) units[column.key] = column.unit;
+  for (const WheelColumn& column : WheelColumns()) units[KeyOf(column)] = column.unit;
   return units;
 }
 

@@ -9,14 +9,16 @@
 namespace softsoil {
 
 struct WheelColumn {
-  const char* key;   // in summary.json
-  const char* name;  // in wheels.csv
-  const char* unit;  // in both
+  const char* name;
+  const char* unit;  // in the files
   double from_si;    // factor from SI to that unit
   bool averaged;     // the summary holds the mean, else the last value
   double (*value)(const softsoilWheel&);
 };
 const std::vector<WheelColumn>& WheelColumns();
+
+// The name in summary.json, which says so where the unit is degrees.
+std::string KeyOf(const WheelColumn& column);
 
 // Values of the columns, averaged over time.
 class WheelMean {

@@ -1,6 +1,5 @@
 // softsoil wong-reece: what a tire would do on soil if it were rigid, by plastic equilibrium.
 #include <cmath>
-#include <filesystem>
 #include <memory>
 #include <optional>
 #include <string>
@@ -10,8 +9,8 @@
 #include "plugin/cli/catalogues.h"
 #include "plugin/cli/commands.h"
 #include "plugin/cli/number_range.h"
-#include "plugin/cli/output_file.h"
 #include "plugin/cli/picture.h"
+#include "plugin/cli/result_folder.h"
 #include "plugin/cli/rigid_wheel.h"
 #include "plugin/cli/slip_limits.h"
 #include "plugin/cli/wong_reece_table.h"
@@ -84,16 +83,20 @@ WongReeceResults Solve(const Line& line) {
   return results;
 }
 
+std::vector<std::string> Inputs(const Line& line) {
+  std::vector<std::string> files = line.tire_files;
+  files.insert(files.end(), line.soil_files.begin(), line.soil_files.end());
+  return files;
+}
+
 // Nothing is written before everything is solved.
 void Run(const Line& line) {
   Check(line);
   const WongReeceResults results = Solve(line);
   const std::string python = line.no_picture ? "" : PythonThatPlots();
-  PrepareFolder(line.folder);
-  for (const char* name :
-       {"wong_reece.csv", "rim_stress.csv", "wong_reece.json", "wong_reece.png"}) {
-    std::filesystem::remove(line.folder + "/" + name);  // of an earlier run
-  }
+  const ResultFolder folder(
+      line.folder, {"wong_reece.csv", "rim_stress.csv", "wong_reece.json", "wong_reece.png"},
+      Inputs(line));
   WriteWongReece(results, line.folder);
   if (!line.no_picture) DrawPictures(python, line.folder, {"wong_reece"});
   PrintWongReece(results);

@@ -61,9 +61,9 @@ class Contact(unittest.TestCase):
         for wheel in self.last_wheels:
             nodes = self.nodes_at_the_end(wheel["wheel"])
             self.assertAlmostEqual(sum(node["area [m^2]"] for node in nodes),
-                                   wheel["contact area [m^2]"], places=6)
+                                   wheel["contact_area [m^2]"], places=6)
             self.assertEqual(max(node["pressure [Pa]"] for node in nodes),
-                             wheel["peak pressure [Pa]"])
+                             wheel["peak_pressure [Pa]"])
             self.assertEqual(max(node["depth [m]"] for node in nodes), wheel["sinkage [m]"])
             up = sum((node["pressure [Pa]"] * math.cos(math.radians(node["angle [deg]"]))
                       + node["shear [Pa]"] * math.sin(math.radians(node["angle [deg]"])))

@@ -147,10 +147,10 @@ class PrescribedTorque(Bin):
 
     def test_the_rig_speeds_up_as_its_pull_says(self):
         rows = self.history()
-        speed = {float(row["time [s]"]): float(row["forward speed [m/s]"]) for row in rows}
+        speed = {float(row["time [s]"]): float(row["forward_speed [m/s]"]) for row in rows}
         self.assertEqual([min(speed), max(speed)], [0, 2])
         self.assertGreater(speed[2], speed[1])
-        pulls = [float(row["drawbar pull [N]"]) for row in rows if float(row["time [s]"]) > 1]
+        pulls = [float(row["drawbar_pull [N]"]) for row in rows if float(row["time [s]"]) > 1]
         pull = sum(pulls) / len(pulls)
         self.assertAlmostEqual((speed[2] - speed[1]) * LOAD / GRAVITY / pull, 1, delta=0.05)
 

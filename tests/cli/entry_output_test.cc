@@ -69,6 +69,14 @@ TEST(EntryFiles, SayByTheirEndingsWhatTheyAre) {
       ThrowsMessage<InputError>("--picture and --no-picture exclude one another"));
 }
 
+TEST(EntryNames, AreTextThatXmlAndJsonCanHold) {
+  for (const char* name : {"a\x01", "\xff", "a\x7f"}) {
+    EXPECT_THAT([&] { RequireEntryName(name, "soil", {}); },
+                ThrowsMessage<InputError>("--name must be UTF-8 without control characters"));
+  }
+  RequireEntryName("Lehm_\xc3\xa4", "soil", {});
+}
+
 TEST(EntryFiles, AreOverwrittenOnlyByForce) {
   const std::string folder = testing::TempDir() + "entry_output_" + std::to_string(getpid());
   fs::create_directories(folder);
@@ -77,6 +85,12 @@ TEST(EntryFiles, AreOverwrittenOnlyByForce) {
   EXPECT_THAT([&] { PrepareEntryFiles(files, false); },
               ThrowsMessage<InputError>(files.json + ": is there already; --force overwrites it"));
   EXPECT_FALSE(fs::exists(folder + "/new")) << "nothing is made for what is refused";
+  EXPECT_THAT(
+      [&] {
+        PrepareEntryFiles(files, true,
+                          {folder + "/../" + fs::path(folder).filename().string() + "/a.json"});
+      },
+      ThrowsMessage<InputError>(files.json + ": is an input"));
   PrepareEntryFiles(files, true);
   EXPECT_TRUE(fs::is_directory(folder + "/new"));
   EXPECT_THAT(

@@ -140,7 +140,7 @@ TEST_F(Output, ContactLogHasUnitsDegreesAndTheDistanceAhead) {
   EXPECT_EQ(
       Content(path_),
       "time [s],wheel,x [m],y [m],z [m],angle [deg],ahead [m],lateral [m],pressure [Pa],"
-      "shear [Pa],shear across [Pa],area [m^2],depth [m]\n"
+      "shear [Pa],shear_across [Pa],area [m^2],depth [m]\n"
       "0.5,\"left, \"\"big\"\"\",-0.1,0.25,-0.0330127019,30,0.25,0.1,70000,-2,3,0.0006,0.04\n");
 }
 

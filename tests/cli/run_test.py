@@ -65,8 +65,8 @@ class Run(unittest.TestCase):
 
     def test_table_of_wheels_has_units_and_a_row_per_wheel_and_interval(self):
         self.assertTrue({"time [s]", "wheel", "x [m]", "y [m]", "load [N]", "sinkage [m]",
-                         "rut depth [m]", "slip ratio [-]", "slip angle [deg]", "torque [N m]",
-                         "drawbar pull [N]"} <= set(self.rows[0]))
+                         "rut_depth [m]", "slip_ratio [-]", "slip_angle [deg]", "torque [N m]",
+                         "drawbar_pull [N]"} <= set(self.rows[0]))
         self.assertEqual(len(self.rows), 16 * 4)
         times = sorted({row["time [s]"] for row in self.rows})
         np.testing.assert_allclose(times, np.linspace(0, 1.5, 16), atol=1e-9)

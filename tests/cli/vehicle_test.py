@@ -40,11 +40,11 @@ class Parked(InAFolder):
             self.assertEqual(len(rows), 101)
             places = [[row["x [m]"], row["y [m]"], row["z [m]"]] for row in rows]
             self.assertLess(max(math.dist(place, places[0]) for place in places), 1e-3)
-            self.assertLess(max(abs(row["forward speed [m/s]"]) for row in rows), 1e-3)
+            self.assertLess(max(abs(row["forward_speed [m/s]"]) for row in rows), 1e-3)
             self.assertLess(max(abs(row["spin [rad/s]"]) for row in rows), 1e-3)
         # Upwards and uphill, from the wheels' axes to those of the world.
         load = sum(row["load [N]"] for row in settled[-4:])
-        pull = sum(row["drawbar pull [N]"] for row in settled[-4:])
+        pull = sum(row["drawbar_pull [N]"] for row in settled[-4:])
         cos, sin = math.cos(math.radians(ANGLE)), math.sin(math.radians(ANGLE))
         self.assertAlmostEqual((load * cos + pull * sin) / WEIGHT, 1, delta=0.01)
         self.assertAlmostEqual((pull * cos - load * sin) / WEIGHT, 0, delta=0.01)

@@ -27,7 +27,7 @@ PRESSURE, SHEAR, ACROSS = "#c2401f", "#1f6f8b", "#8a8f3c"  # of the lines
 ARROW = "#0f3a49"
 MOST_ARROWS = 14  # along the patch
 COLUMNS = {"angle": "angle [deg]", "ahead": "ahead [m]", "lateral": "lateral [m]",
-           "pressure": "pressure [Pa]", "shear": "shear [Pa]", "across": "shear across [Pa]"}
+           "pressure": "pressure [Pa]", "shear": "shear [Pa]", "across": "shear_across [Pa]"}
 SAME_ANGLE, SAME_LATERAL = 0.01, 1e-5  # [deg], [m]  nodes of one row or one ring
 CM, KPA = 1e-2, 1e3
 LEAST_PRESSURE, LEAST_SHEAR = 1.0, 0.1  # [kPa]  at the top of their scales

@@ -235,13 +235,14 @@ def draw_history(folder, summary):
                                                   layout="constrained")
     time = run["time"]
     speeds.plot(time, summary["radius"] * run["spin"], color=BLUE, label="rim, rω")
-    speeds.plot(time, run["forward speed"], color=RUST, label="wheel, v")
+    speeds.plot(time, run["forward_speed"], color=RUST, label="wheel, v")
     speeds.set(title="Speeds", ylabel="[m/s]")
-    moving = run["forward speed"] > 0.05  # slip has no meaning on the spot
-    slip.plot(time[moving], 100 * run["slip ratio"][moving], color=BLUE)
+    moving = run["forward_speed"] > 0.05  # slip has no meaning on the spot
+    slip.plot(time[moving], 100 * run["slip_ratio"][moving], color=BLUE)
     slip.set(title="Slip", ylabel="[%]")
-    for key, colour in [("thrust", GREEN), ("drawbar pull", RUST), ("motion resistance", GREY)]:
-        forces.plot(time, run[key] / 1000, color=colour, label=key, linewidth=1.4)
+    for key, colour in [("thrust", GREEN), ("drawbar_pull", RUST), ("motion_resistance", GREY)]:
+        forces.plot(time, run[key] / 1000, color=colour, label=key.replace("_", " "),
+                    linewidth=1.4)
     forces.set(title="Forces", ylabel="[kN]", xlabel="time since the torque set in [s]")
     for axes in (speeds, forces):
         legend_above(axes)
