@@ -10,6 +10,6 @@ out=build/05_tire_in_the_soil_bin
 mkdir -p "$out"
 softsoil fit-tire examples/data/18.4R38_load_deflection.csv --radius 0.91 --width 0.467 \
   --contact-width examples/data/18.4R38_contact_width.csv --name my_tire --load 18000 --like 18.4R38_85kPa \
-  --out "$out/my_tire.xml" --picture "$out/my_tire.png" --force
+  --out "$out/my_tire.xml" --force
 softsoil drawbar --tire my_tire@100kPa --tire-file "$out/my_tire.xml" --soil tilled_yolo_loam --load 18000 \
   --slip 0.05,0.1,0.2,0.4 --set grid_spacing=0.05 --wong-reece --out "$out/bin"

@@ -12,16 +12,15 @@
 namespace softsoil {
 namespace {
 
-void RemoveOld(const std::string& path, const std::vector<std::string>& inputs) {
+void RequireReplaceable(const std::string& path, const std::vector<std::string>& inputs) {
   std::error_code error;
   for (const std::string& input : inputs) {
     if (std::filesystem::equivalent(path, input, error)) {
       throw InputError(path + ": is an input, and a result would take its place");
     }
   }
-  if (!std::filesystem::is_directory(path, error)) std::filesystem::remove(path, error);
-  if (std::filesystem::exists(path, error)) {
-    throw InputError(path + ": cannot be replaced by a result");
+  if (std::filesystem::is_directory(path, error)) {
+    throw InputError(path + ": is a folder, and a result would take its place");
   }
 }
 
@@ -37,12 +36,13 @@ ResultFolder::ResultFolder(const std::string& path, const std::vector<std::strin
     throw InputError(path + ": another softsoil is writing its results into this folder");
   }
   try {
-    for (const std::string& name : names) RemoveOld(path + "/" + name, inputs);
+    for (const std::string& name : names) RequireReplaceable(path + "/" + name, inputs);
   } catch (...) {
     close(lock_);
     throw;
   }
-  Clear();
+  std::error_code error;
+  for (const std::string& name : names_) std::filesystem::remove(path_ + "/" + name, error);
 }
 
 void ResultFolder::Clear() const {

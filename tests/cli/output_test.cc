@@ -113,7 +113,7 @@ TEST_F(Output, WheelLogHasUnitsDegreesAndQuotedNames) {
   log.Finish();
   const std::string text = Content(path_);
   EXPECT_THAT(text, testing::StartsWith("time [s],wheel,x [m],y [m],z [m],load [N],sinkage [m],"));
-  EXPECT_THAT(text, HasSubstr("slip angle [deg]"));
+  EXPECT_THAT(text, HasSubstr("slip_angle [deg]"));
   EXPECT_THAT(text, HasSubstr("\n0.5,\"left, \"\"big\"\"\",0,0,0,1250,0,0,0,90,0,"));
   EXPECT_THAT(text, HasSubstr("\n0.5,right,0,0,0,1,"));
 }

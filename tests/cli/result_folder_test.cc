@@ -59,10 +59,18 @@ TEST_F(Results, NeverTakeThePlaceOfAnInput) {
   }
 }
 
+TEST_F(Results, OfARunThatFailsAreTakenAwayWithTheirParts) {
+  const ResultFolder results(folder_, {"wheels.csv"});
+  Put("wheels.csv");
+  Put("wheels.csv.part");
+  results.Clear();
+  EXPECT_TRUE(fs::is_empty(folder_));
+}
+
 TEST_F(Results, CannotReplaceAFolder) {
   fs::create_directories(folder_ + "/wheels.csv/full");
   EXPECT_THAT([&] { ResultFolder(folder_, {"wheels.csv"}); },
-              ThrowsMessage<InputError>(HasSubstr("wheels.csv: cannot be replaced by a result")));
+              ThrowsMessage<InputError>(HasSubstr("wheels.csv: is a folder, and a result would")));
 }
 
 }  // namespace

@@ -70,7 +70,9 @@ TEST(LoadDeflectionFile, RefusesRowsThatAreNoLoadTest) {
   EXPECT_EQ(RefusalOf(Replaced(kTwo, "2, 85,", "2, 0,")),
             ":3: inflation_pressure must be > 0 Pa, got 0 Pa");
   EXPECT_EQ(RefusalOf("deflection [m], load [N]\n0.1,0\n0.2,0\n0.3,0\n0.4,0\n"),
-            ": there must be a load > 0 N");
+            ": load must rise with deflection, got 0 N in every row");
+  EXPECT_EQ(RefusalOf("deflection [m], load [N]\n0.1,7\n0.2,7\n0.3,7\n0.4,7\n"),
+            ": load must rise with deflection, got 7 N in every row");
 }
 
 TEST(ContactWidthFile, HoldsDeflectionAndWidth) {
