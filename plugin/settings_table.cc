@@ -29,6 +29,18 @@ std::vector<std::string> Entries(const std::string& text) {
   return entries;
 }
 
+// Paths between commas; they may hold blanks.
+std::vector<std::string> Files(const std::string& text) {
+  std::vector<std::string> files;
+  for (const std::string& part : Words(text, ",")) {
+    const std::size_t first = part.find_first_not_of(" \t\n");
+    if (first == std::string::npos) continue;
+    files.push_back(part.substr(first, part.find_last_not_of(" \t\n") - first + 1));
+  }
+  if (files.empty()) throw InputError("must name something, got \"" + text + "\"");
+  return files;
+}
+
 TireNames ParseTires(const std::string& text) {
   TireNames tires;
   bool for_all_given = false;
@@ -111,9 +123,9 @@ const std::vector<Setting>& SettingTable() {
        "what to do if wheels also touch the rigid plane: warn or remove",
        [](Settings& s, const V& v) { s.remove_rigid_contact = Choose(v.text, "warn", "remove"); }},
       {"soil_file", kText, kNoLimits, "", "none", "XML files with more soils",
-       [](Settings& s, const V& v) { s.soil_files = Entries(v.text); }},
+       [](Settings& s, const V& v) { s.soil_files = Files(v.text); }},
       {"tire_file", kText, kNoLimits, "", "none", "XML files with more tires",
-       [](Settings& s, const V& v) { s.tire_files = Entries(v.text); }},
+       [](Settings& s, const V& v) { s.tire_files = Files(v.text); }},
       {"grid_spacing", kNumber, kGridSpacingLimits, "m", "0.025", "spacing of the soil columns",
        [](Settings& s, const V& v) { s.terrain.grid_spacing = v.number; }},
       {"volume_height", kNumber, kVolumeHeightLimits, "m", "0.025", "height of a soil volume",

@@ -14,6 +14,7 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 constexpr std::size_t kLeastRows = 3;  // per width
+constexpr double kLeastWider = 1.1;    // [-]  the widest plate against the narrowest
 
 std::string Plate(double width) { return "the plate of width " + Shown(width) + " m"; }
 
@@ -185,6 +186,11 @@ BearingFit FitBearing(const PlateSinkage& test, BearingForm form) {
   result.form = form;
   for (const auto& plate : RowsByValue(test.width)) result.widths.push_back(plate.first);
   const bool one_width = result.widths.size() == 1;
+  if (!one_width && result.widths.back() < kLeastWider * result.widths.front()) {
+    throw InputError("the widest plate must be at least " + Shown(kLeastWider) +
+                     " times as wide as the narrowest to tell the moduli apart, got " +
+                     Shown(result.widths.front()) + " and " + Shown(result.widths.back()) + " m");
+  }
   if (one_width && form == BearingForm::kReece) {
     throw InputError("one plate width, " + Shown(test.width[0]) +
                      " m, does not determine k_1 and k_2; test a second one");

@@ -14,6 +14,7 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 constexpr std::size_t kLeastRows = 3;  // per normal stress
+constexpr double kLeastApart = 0.05;   // [-]  normal stresses against the greatest shear stress
 
 void RequireRisingSlip(const Measurements& table) {
   const std::vector<double>& j = table.Column("displacement");
@@ -156,6 +157,13 @@ ShearFit FitShear(const ShearTest& test) {
   if (tests.size() == 1) {
     throw InputError("one normal stress, " + Shown(tests.begin()->first) +
                      " Pa, does not determine cohesion and friction angle; test a second one");
+  }
+  const double apart = tests.rbegin()->first - tests.begin()->first;
+  const double strongest = *std::max_element(test.shear_stress.begin(), test.shear_stress.end());
+  if (apart < kLeastApart * strongest) {
+    throw InputError("the normal stresses must lie apart by at least " + Shown(kLeastApart) +
+                     " of the greatest shear stress, " + Rounded(kLeastApart * strongest, 3) +
+                     " Pa, to tell friction from cohesion, got " + Rounded(apart, 3) + " Pa");
   }
   Model model{AsVector(test.normal_stress), AsVector(test.displacement),
               AsVector(test.shear_stress), 0, 0};

@@ -44,7 +44,7 @@ TEST(Settings, AreAllReadFromAModel) {
   const Settings s =
       FromModel(Text("soil", "mud") + Text("tire", "slick w=lugs") + Text("ground", "field") +
                 Text("bumps", "0.05, 0.8, 7") + Text("mode", "compaction") +
-                Text("rigid_contact", "remove") + Text("soil_file", "a.xml b.xml") +
+                Text("rigid_contact", "remove") + Text("soil_file", " a.xml,\n my b.xml ") +
                 Text("tire_file", "c.xml") + Numeric("grid_spacing", "0.05") +
                 Numeric("volume_height", "0.03") + Numeric("volumes", "20") +
                 Numeric("clock", "0.02") + Numeric("sync", "1") + Numeric("threads", "3") +
@@ -58,7 +58,7 @@ TEST(Settings, AreAllReadFromAModel) {
   EXPECT_EQ(s.bumps.seed, 7u);
   EXPECT_EQ(s.terrain.mode, SurfaceMode::kCompaction);
   EXPECT_TRUE(s.remove_rigid_contact);
-  EXPECT_THAT(s.soil_files, ElementsAre("a.xml", "b.xml"));
+  EXPECT_THAT(s.soil_files, ElementsAre("a.xml", "my b.xml"));
   EXPECT_THAT(s.tire_files, ElementsAre("c.xml"));
   EXPECT_EQ(s.terrain.grid_spacing, 0.05);
   EXPECT_EQ(s.terrain.volume_height, 0.03);

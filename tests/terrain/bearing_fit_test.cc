@@ -122,6 +122,14 @@ TEST(FitBearing, OfOnePlateKnowsTheSumOfTheModuliAlone) {
                                         "test a second one"));
 }
 
+TEST(FitBearing, NeedsPlatesThatDiffer) {
+  EXPECT_THAT(
+      [] {
+        FitBearing(Pressed({0.1, 0.1000001}, Bekker));
+      },
+      ThrowsMessage<InputError>(HasSubstr("at least 1.1 times as wide as the narrowest")));
+}
+
 // A narrow plate that bears less than a wide one asks for k_c < 0.
 TEST(FitBearing, HoldsANegativeCohesiveModulusAtZeroAndSaysSo) {
   const BearingFit fit = FitBearing(Pressed({0.05, 0.3}, Weaker));

@@ -134,6 +134,15 @@ TEST(FitShear, NeedsASecondNormalStress) {
                                         "and friction angle; test a second one"));
 }
 
+// Of 20 and 20.1 kPa any noise would become an angle.
+TEST(FitShear, NeedsNormalStressesThatLieApart) {
+  EXPECT_THAT(
+      [] {
+        FitShear(Sheared({20e3, 20.1e3}, kC, kPhi, kK));
+      },
+      ThrowsMessage<InputError>(HasSubstr("must lie apart by at least 0.05 of the greatest")));
+}
+
 TEST(FitShear, RefusesReadingsThatDoNotBeginToLevelOff) {
   const ShearTest test = Sheared({10e3, 30e3, 60e3}, kC, kPhi, 0.5);
   EXPECT_THAT(
