@@ -17,7 +17,9 @@ class EntryPrinter {
     printer_.OpenElement("soils");
     printer_.OpenElement("soil");
     printer_.PushAttribute("name", entry_.soil.name.c_str());
-    printer_.PushAttribute("description", entry_.soil.description.c_str());
+    if (!entry_.soil.description.empty()) {
+      printer_.PushAttribute("description", entry_.soil.description.c_str());
+    }
     Bearing();
     Unloading();
     Shear();

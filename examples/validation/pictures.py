@@ -37,7 +37,7 @@ def draw_pulls(rows, axes):
             ("o", OURS, "none", "softsoil, slip against the rolling radius")):
         axes.plot([], [], marker, color=colour, label=name, linestyle="none", markersize=9,
                   fillstyle=fill)
-    axes.legend(frameon=False, loc="upper left", fontsize=9)
+    axes.legend(frameon=False, loc="upper center", bbox_to_anchor=(0.3, -0.13), ncol=2, fontsize=9)
 
 
 def draw_agreement(rows, axes, title, unit):

@@ -258,8 +258,11 @@ void Drawbar(const DrawbarOptions& options) {
     throw;
   }
   if (options.picture) DrawPictures(python, options.folder, {"drawbar"});
-  std::printf("Results in %s: %s, centre_line.csv, soil_bin.xml%s\n", options.folder.c_str(),
-              curve ? "drawbar.csv" : "history.csv", options.picture ? ", pictures" : "");
+  const std::string name = curve ? "drawbar" : "history";
+  std::string files = "summary.json, " + name + ".csv, centre_line.csv, soil_bin.xml";
+  if (options.wong_reece) files += ", wong_reece.csv, wong_reece.json, rim_stress.csv";
+  if (options.picture) files += ", " + name + ".png, centre_line.png";
+  std::printf("Results in %s: %s\n", options.folder.c_str(), files.c_str());
   FlushStandardOutput();
 }
 

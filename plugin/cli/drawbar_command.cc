@@ -126,7 +126,8 @@ void AddInputs(CLI::App* command, Line* line) {
       ->allow_extra_args(false);
   command
       ->add_option("--set", line->settings,
-                   "KEY=VALUE: a softsoil_KEY of the model's <custom>, overridden")
+                   "A softsoil_KEY of the model's <custom>, overridden; may be given several times")
+      ->type_name("KEY=VALUE")
       ->allow_extra_args(false);
   command
       ->add_option(

@@ -165,7 +165,7 @@ void PrintDrawbar(const DrawbarOptions& options, double radius, const DrawbarRes
       result.rolling.steady ? "" : ", not steady",
       RollingInWords(result.rolling.rolling_radius).c_str());
   PrintRow({"slip", "rolling", "speed", "thrust", "resistance", "pull", "torque", "power",
-            "sinkage", "rut", "compaction"});
+            "sinkage", "rut", "sunk"});
   PrintRow({"[%]", "slip [%]", "[m/s]", "[N]", "[N]", "[N]", "[N m]", "[W]", "[cm]", "[cm]",
             "[litres]"});
   // Forces to five digits of the load.

@@ -32,12 +32,12 @@ int ParseAndRun(int argc, char** argv) {
   program.require_subcommand(1);
   program.failure_message(BadUsage);
   AddRunCommand(program);
-  AddDrawbarCommand(program);
-  AddWongReeceCommand(program);
+  AddWithCommand(program);
   AddListCommand(program);
   AddSoilCommand(program);
-  AddWithCommand(program);
   AddFitTireCommand(program);
+  AddDrawbarCommand(program);
+  AddWongReeceCommand(program);
   try {
     program.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

@@ -77,7 +77,8 @@ void AddRunCommand(CLI::App& program) {
   command
       ->add_option_function<std::vector<std::string>>(
           "--set", [line](const std::vector<std::string>& given) { line->Add(given); },
-          "KEY=VALUE: a softsoil_KEY of the model's <custom>, overridden")
+          "A softsoil_KEY of the model's <custom>, overridden; may be given several times")
+      ->type_name("KEY=VALUE")
       ->allow_extra_args(false);
   command->callback([line] {
     line->options.picture = !line->no_picture;

@@ -140,7 +140,7 @@ def draw_arrows(axes, patch, longest):
                          scale=longest / spacing, pivot="mid", width=0.006, headwidth=3.5,
                          minlength=0.2)
     shown = round_number(longest)
-    axes.quiverkey(arrows, 0.88, 1.05, shown, f"{shown:g} kPa", labelpos="W",
+    axes.quiverkey(arrows, 0.9, 1.05, shown, f"shear on the tire, {shown:g} kPa", labelpos="W",
                    fontproperties={"size": 9})
 
 
@@ -150,7 +150,7 @@ def draw_from_above(axes, patch, norm, longest_arrow):
                            cmap=PRESSURE_COLOURS)
     draw_arrows(axes, patch, longest_arrow)
     axes.figure.colorbar(mesh, ax=axes, shrink=0.8, pad=0.03).set_label("pressure [kPa]")
-    axes.set_title("from above, with the shear on the tire", fontsize=9, loc="left")
+    axes.set_title("from above", fontsize=9, loc="left")
     axes.set(xlabel="ahead of the axle [cm]", ylabel="left [cm]", aspect="equal")
     axes.margins(0.05)
 

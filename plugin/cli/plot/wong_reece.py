@@ -53,6 +53,7 @@ def draw_curve(axes, rows, name, unit, **style):
 
 def finish(axes, xlabel, ylabel):
     axes.set(xlabel=xlabel, ylabel=ylabel)
+    axes.margins(y=0.08)
     axes.grid(color="black", alpha=0.1, linewidth=0.6)
 
 
