@@ -13,4 +13,8 @@ namespace softsoil {
 Catalogue<Soil> SoilsWith(const std::vector<std::string>& files = {});
 Catalogue<Tire> TiresWith(const std::vector<std::string>& files = {});
 
+// The files of both together.
+std::vector<std::string> Together(std::vector<std::string> tire_files,
+                                  const std::vector<std::string>& soil_files);
+
 }  // namespace softsoil

@@ -117,12 +117,6 @@ const std::vector<std::string> kResults = {"soil_bin.xml",    "drawbar.csv",    
                                            "summary.json",    "wong_reece.json", "drawbar.png",
                                            "centre_line.png", "history.png"};
 
-std::vector<std::string> Inputs(const DrawbarOptions& options) {
-  std::vector<std::string> files = options.tire_files;
-  files.insert(files.end(), options.soil_files.begin(), options.soil_files.end());
-  return files;
-}
-
 void WriteModel(const DrawbarOptions& options, const SoilBin& bin) {
   OutputFile file(options.folder + "/soil_bin.xml");
   file.Write(SoilBinModel(bin));
@@ -249,7 +243,8 @@ void Drawbar(const DrawbarOptions& options) {
   const std::string python = options.picture ? PythonThatPlots() : "";
   HandleMujocoMessages();
   MakeRig(bin, 1);  // refuses bad settings
-  const ResultFolder folder(options.folder, kResults, Inputs(options));
+  const ResultFolder folder(options.folder, kResults,
+                            Together(options.tire_files, options.soil_files));
   const bool curve = options.mode != BinMode::kTorque;
   try {
     curve ? RunCurve(options, bin, rigid) : RunHistory(options, bin);

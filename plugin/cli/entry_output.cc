@@ -30,9 +30,7 @@ void RequireEnding(const std::optional<std::string>& file, const char* option, c
 void RequireFree(const std::string& file, bool force, const std::vector<std::string>& inputs) {
   std::error_code error;
   if (fs::is_directory(file, error)) throw InputError(file + ": is a folder, not a file");
-  for (const std::string& input : inputs) {
-    if (fs::equivalent(file, input, error)) throw InputError(file + ": is an input");
-  }
+  RequireNoInput(file, inputs);
   const fs::file_status status = fs::symlink_status(file, error);
   if (status.type() == fs::file_type::not_found) return;
   if (status.type() == fs::file_type::none) throw InputError(file + ": " + error.message());

@@ -31,7 +31,8 @@ EntryFiles EntryFilesOf(const EntryFileOptions& options, bool is_fit);
 
 // Makes the folders. Before that, throws InputError if a file is there already, unless it may be
 // overwritten by `force`; one of the `inputs` may never be.
-void PrepareEntryFiles(const EntryFiles& files, bool force, const std::vector<std::string>& inputs = {});
+void PrepareEntryFiles(const EntryFiles& files, bool force,
+                       const std::vector<std::string>& inputs = {});
 
 struct EntryTexts {
   std::string entry, report;  // of .xml and .json

@@ -23,6 +23,14 @@ void PrepareFolder(const std::string& folder) {
   if (error) throw InputError(folder + ": cannot write into this folder: " + error.message());
 }
 
+void RequireNoInput(const std::string& path, const std::vector<std::string>& inputs) {
+  std::error_code error;  // a file that is not there is none of them
+  for (const std::string& input : inputs) {
+    if (!std::filesystem::equivalent(path, input, error)) continue;
+    throw InputError(path + ": is an input, and a result would take its place");
+  }
+}
+
 OutputFile::OutputFile(const std::string& path)
     : path_(path), part_(path + ".part"), file_(std::fopen(part_.c_str(), "wb")) {
   if (file_ == nullptr) Fail("open");

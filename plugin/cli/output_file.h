@@ -3,11 +3,15 @@
 
 #include <cstdio>
 #include <string>
+#include <vector>
 
 namespace softsoil {
 
 // Makes the folder if it is not there. Throws InputError if files cannot be written in it.
 void PrepareFolder(const std::string& folder);
+
+// Throws InputError if a file that is to be written is one of the inputs, however it is spelled.
+void RequireNoInput(const std::string& path, const std::vector<std::string>& inputs);
 
 // Written as <path>.part, and renamed to <path> when complete: a run that is killed leaves no half
 // result. Every write is checked; a full disk throws std::runtime_error.

@@ -4,6 +4,8 @@
 #include <sys/file.h>
 #include <unistd.h>
 
+#include <cerrno>
+#include <cstring>
 #include <filesystem>
 
 #include "plugin/cli/output_file.h"
@@ -12,13 +14,21 @@
 namespace softsoil {
 namespace {
 
-void RequireReplaceable(const std::string& path, const std::vector<std::string>& inputs) {
-  std::error_code error;
-  for (const std::string& input : inputs) {
-    if (std::filesystem::equivalent(path, input, error)) {
-      throw InputError(path + ": is an input, and a result would take its place");
-    }
+// Descriptor that locks the folder until it is closed.
+int Lock(const std::string& path) {
+  const int folder = open(path.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  if (folder >= 0 && flock(folder, LOCK_EX | LOCK_NB) == 0) return folder;
+  const int reason = errno;
+  if (folder >= 0) close(folder);
+  if (reason == EWOULDBLOCK) {
+    throw InputError(path + ": another softsoil is writing its results into this folder");
   }
+  throw InputError(path + ": cannot lock this folder: " + std::strerror(reason));
+}
+
+void RequireReplaceable(const std::string& path, const std::vector<std::string>& inputs) {
+  RequireNoInput(path, inputs);
+  std::error_code error;
   if (std::filesystem::is_directory(path, error)) {
     throw InputError(path + ": is a folder, and a result would take its place");
   }
@@ -30,11 +40,7 @@ ResultFolder::ResultFolder(const std::string& path, const std::vector<std::strin
                            const std::vector<std::string>& inputs)
     : path_(path), names_(names) {
   PrepareFolder(path);
-  lock_ = open(path.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-  if (lock_ < 0 || flock(lock_, LOCK_EX | LOCK_NB) != 0) {
-    if (lock_ >= 0) close(lock_);
-    throw InputError(path + ": another softsoil is writing its results into this folder");
-  }
+  lock_ = Lock(path);
   try {
     for (const std::string& name : names) RequireReplaceable(path + "/" + name, inputs);
   } catch (...) {

@@ -83,12 +83,6 @@ WongReeceResults Solve(const Line& line) {
   return results;
 }
 
-std::vector<std::string> Inputs(const Line& line) {
-  std::vector<std::string> files = line.tire_files;
-  files.insert(files.end(), line.soil_files.begin(), line.soil_files.end());
-  return files;
-}
-
 // Nothing is written before everything is solved.
 void Run(const Line& line) {
   Check(line);
@@ -96,7 +90,7 @@ void Run(const Line& line) {
   const std::string python = line.no_picture ? "" : PythonThatPlots();
   const ResultFolder folder(
       line.folder, {"wong_reece.csv", "rim_stress.csv", "wong_reece.json", "wong_reece.png"},
-      Inputs(line));
+      Together(line.tire_files, line.soil_files));
   WriteWongReece(results, line.folder);
   if (!line.no_picture) DrawPictures(python, line.folder, {"wong_reece"});
   PrintWongReece(results);

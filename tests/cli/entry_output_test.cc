@@ -90,7 +90,7 @@ TEST(EntryFiles, AreOverwrittenOnlyByForce) {
         PrepareEntryFiles(files, true,
                           {folder + "/../" + fs::path(folder).filename().string() + "/a.json"});
       },
-      ThrowsMessage<InputError>(files.json + ": is an input"));
+      ThrowsMessage<InputError>(files.json + ": is an input, and a result would take its place"));
   PrepareEntryFiles(files, true);
   EXPECT_TRUE(fs::is_directory(folder + "/new"));
   EXPECT_THAT(
