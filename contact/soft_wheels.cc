@@ -6,7 +6,8 @@ namespace softsoil {
 
 SoftWheels::SoftWheels(const Soil& soil, const GroundSettings& settings,
                        UndisturbedHeight undisturbed, const std::vector<Tire>& tires)
-    : ground_(soil, settings, std::move(undisturbed), static_cast<int>(tires.size())) {
+    : undisturbed_(soil, settings, std::move(undisturbed), static_cast<int>(tires.size())),
+      ground_(undisturbed_) {
   for (const Tire& tire : tires) wheels_.emplace_back(tire, settings.grid_spacing);
 }
 
@@ -25,6 +26,31 @@ void SoftWheels::Commit(const std::vector<TirePose>& poses, const std::vector<Pa
     }
   }
   ground_.Pass(h);
+}
+
+SoftWheelsState SoftWheels::State() const {
+  SoftWheelsState state{ground_, {}};
+  for (const WheelContact& wheel : wheels_) state.slip.push_back(wheel.Slip());
+  return state;
+}
+
+void SoftWheels::SetState(const SoftWheelsState& state) {
+  ground_ = state.ground;
+  for (std::size_t i = 0; i < wheels_.size(); ++i) wheels_[i].SetSlip(state.slip[i]);
+}
+
+SoftWheelsState SoftWheels::ReadState(StateReader& reader) const {
+  SoftWheelsState state{undisturbed_, {}};
+  state.ground.Read(reader);
+  for (const WheelContact& wheel : wheels_) {
+    state.slip.push_back(ReadSlipMemory(reader, wheel.nodes().size()));
+  }
+  return state;
+}
+
+void Write(const SoftWheelsState& state, StateWriter& writer) {
+  state.ground.Write(writer);
+  for (const SlipMemory& slip : state.slip) Write(slip, writer);
 }
 
 void SoftWheels::ForgetSlip() {

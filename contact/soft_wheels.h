@@ -9,6 +9,12 @@
 
 namespace softsoil {
 
+// All that the future of the wheels on their ground depends on. Copying it is cheap.
+struct SoftWheelsState {
+  Ground ground;
+  std::vector<SlipMemory> slip;  // by wheel
+};
+
 class SoftWheels {
  public:
   // One tire per wheel. Throws InputError if a setting is out of range.
@@ -28,13 +34,22 @@ class SoftWheels {
   // plastic sinkage and load enter the history, and simulated time passes.
   void Commit(const std::vector<TirePose>& poses, const std::vector<PatchForces>& forces, double h);
 
+  SoftWheelsState State() const;
+  void SetState(const SoftWheelsState& state);
+  // What Write() wrote. Throws InputError.
+  SoftWheelsState ReadState(StateReader& reader) const;
+
   // After a jump in time: the ground stays as it is, the wheels touch it anew.
   void ForgetSlip();
 
  private:
+  Ground undisturbed_;  // as just made
   Ground ground_;
   std::vector<WheelContact> wheels_;
   std::vector<NodeSinkage> plastic_;  // scratch
 };
+
+// Waits for the soil job in flight, and throws what it threw.
+void Write(const SoftWheelsState& state, StateWriter& writer);
 
 }  // namespace softsoil

@@ -7,6 +7,8 @@
 #include <functional>
 #include <future>
 
+#include "terrain/state_stream.h"
+
 namespace softsoil {
 
 // Threads shared by all soils of the process, one per processor; made when first needed. They live
@@ -38,6 +40,15 @@ class SoilClock {
     return full_;
   }
   double Elapsed() const { return elapsed_; }
+
+  void Write(StateWriter& writer) const {
+    writer.Put(elapsed_);
+    writer.Put(full_);
+  }
+  void Read(StateReader& reader) {
+    elapsed_ = reader.GetFinite();
+    full_ = reader.GetFlag();
+  }
 
  private:
   double period_;
