@@ -17,6 +17,7 @@ void SoftWheels::Evaluate(int wheel, const TirePose& pose, double h, PatchForces
 
 void SoftWheels::Commit(const std::vector<TirePose>& poses, const std::vector<PatchForces>& forces,
                         double h) {
+  slip_ = nullptr;
   for (int wheel = 0; wheel < size(); ++wheel) {
     wheels_[wheel].Commit(forces[wheel]);
     ground_.AddLoad(wheel, forces[wheel].surface, h);
@@ -28,33 +29,44 @@ void SoftWheels::Commit(const std::vector<TirePose>& poses, const std::vector<Pa
   ground_.Pass(h);
 }
 
-SoftWheelsState SoftWheels::State() const {
-  SoftWheelsState state{ground_, {}};
-  for (const WheelContact& wheel : wheels_) state.slip.push_back(wheel.Slip());
-  return state;
+SoftWheelsState SoftWheels::State() {
+  if (slip_ == nullptr) {
+    std::vector<SlipMemory> slip;
+    for (const WheelContact& wheel : wheels_) slip.push_back(wheel.Slip());
+    slip_ = std::make_shared<std::vector<SlipMemory>>(std::move(slip));
+  }
+  return {ground_, slip_};
 }
 
-void SoftWheels::SetState(const SoftWheelsState& state) {
-  ground_ = state.ground;
-  for (std::size_t i = 0; i < wheels_.size(); ++i) wheels_[i].SetSlip(state.slip[i]);
+SoftWheelsState SoftWheels::Undisturbed() const {
+  return {undisturbed_, std::make_shared<std::vector<SlipMemory>>(wheels_.size())};
+}
+
+void SoftWheels::SetState(SoftWheelsState state) {
+  ground_ = std::move(state.ground);
+  for (std::size_t i = 0; i < wheels_.size(); ++i) wheels_[i].SetSlip((*state.slip)[i]);
+  slip_ = std::move(state.slip);
 }
 
 SoftWheelsState SoftWheels::ReadState(StateReader& reader) const {
-  SoftWheelsState state{undisturbed_, {}};
+  SoftWheelsState state = Undisturbed();
   state.ground.Read(reader);
+  std::vector<SlipMemory> slip;
   for (const WheelContact& wheel : wheels_) {
-    state.slip.push_back(ReadSlipMemory(reader, wheel.nodes().size()));
+    slip.push_back(ReadSlipMemory(reader, wheel.nodes().size()));
   }
+  state.slip = std::make_shared<std::vector<SlipMemory>>(std::move(slip));
   return state;
 }
 
 void Write(const SoftWheelsState& state, StateWriter& writer) {
   state.ground.Write(writer);
-  for (const SlipMemory& slip : state.slip) Write(slip, writer);
+  for (const SlipMemory& slip : *state.slip) Write(slip, writer);
 }
 
 void SoftWheels::ForgetSlip() {
   for (WheelContact& wheel : wheels_) wheel.Reset();
+  slip_ = nullptr;
 }
 
 }  // namespace softsoil

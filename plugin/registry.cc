@@ -1,27 +1,11 @@
 #include "plugin/registry.h"
 
-#include <functional>
-#include <string_view>
 #include <utility>
 
 namespace softsoil {
-namespace {
-
-template <class T>
-std::size_t Hash(const T* data, int count, std::size_t seed) {
-  const auto* bytes = reinterpret_cast<const char*>(data);
-  const std::string_view view(bytes, count * sizeof(T));
-  return seed * 31 + std::hash<std::string_view>()(view);
-}
-
-}  // namespace
 
 Fingerprint FingerprintOf(const mjModel* m, const mjData* d) {
-  std::size_t content = Hash(m->names, m->nnames, 0);
-  content = Hash(m->text_data, m->ntextdata, content);
-  content = Hash(m->numeric_data, m->nnumericdata, content);
-  content = Hash(m->tuple_objid, m->ntupledata, content);
-  return {m, d->buffer, content};
+  return {m, d->buffer, ContentOf(m)};
 }
 
 Registry& Registry::Get() {

@@ -28,7 +28,7 @@ Fingerprint FingerprintOf(const mjModel* m, const mjData* d);
 struct SoilEntry {
   Fingerprint fingerprint;
   std::unique_ptr<SoilBinding> soil;  // null: this mjData goes without
-  std::string lost_because;           // of soil that failed; else empty
+  std::string lost_because;           // why it goes without; what soil there is rests; else empty
 };
 
 // For all threads. An entry is used by the thread that steps its mjData, without any lock.
