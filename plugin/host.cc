@@ -259,7 +259,7 @@ void GiveSoil(const mjModel* m, mjData* d, std::shared_ptr<const SoilPlan> plan)
 void GiveSoilIfNone(const mjModel* m, mjData* d, std::shared_ptr<const SoilPlan> plan) {
   const std::shared_ptr<SoilEntry> entry = Registry::Get().Find(d);
   const bool has_soil =
-      entry != nullptr && entry->soil != nullptr && entry->fingerprint == FingerprintOf(m, d);
+      entry != nullptr && entry->soil != nullptr && entry->fingerprint.buffer == d->buffer;
   if (!has_soil) GiveSoil(m, d, std::move(plan));
 }
 
