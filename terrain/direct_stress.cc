@@ -5,6 +5,7 @@
 
 #include "terrain/point_load.h"
 #include "terrain/stress_field.h"
+#include "terrain/thread_budget.h"
 
 // Where the processor has AVX2 the inner loop uses it. Every lane is a volume with a sum of its
 // own, so the bits do not depend on the width.
@@ -133,7 +134,9 @@ class DirectStress : public StressField {
                       std::vector<float>* stress) const override {
     stress->assign(batch.columns() * batch.volumes, 0.0f);
     const int columns = static_cast<int>(batch.columns());
-#pragma omp parallel for schedule(dynamic, 8) num_threads(threads_)
+    const ThreadBudget::Share extra = ThreadBudget::Shared().Take(threads_ - 1);
+    const int team = 1 + extra.threads();
+#pragma omp parallel for schedule(dynamic, 8) num_threads(team)
     for (int column = 0; column < columns; ++column) {
       StressOfColumn(batch, load, column, &(*stress)[std::size_t(column) * batch.volumes]);
     }

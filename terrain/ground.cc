@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include "terrain/worker_pool.h"
+
 namespace softsoil {
 namespace {
 
@@ -62,6 +64,7 @@ SurfaceLoad Ground::TakeLoad(double period) {
 }
 
 void Ground::Start(SurfaceLoad load, double period) {
+  WorkerPool& pool = WorkerPool::Shared();  // first: it throws if the system gives no thread
   auto job = std::make_shared<Job>(Job{std::move(columns_), std::move(load), period});
   job_ = job;
   const auto advance = [job] {
@@ -71,7 +74,7 @@ void Ground::Start(SurfaceLoad load, double period) {
       job->failure = std::current_exception();
     }
   };
-  job_done_ = WorkerPool::Shared().Run(advance).share();
+  job_done_ = pool.Run(advance).share();
 }
 
 void Ground::Join() {

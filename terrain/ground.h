@@ -27,9 +27,9 @@ struct GroundSettings {
   double volume_height = 0.025;  // [m]
   int volumes = 30;              // [-]  per column
   double soil_clock = 0.01;      // [s]  simulated time between soil updates
-  bool sync = false;             // update in place at the tick, instead of in the background
+  bool sync = false;             // wait for the update at the tick, instead of one tick later
   SurfaceMode mode = SurfaceMode::kFlow;
-  int threads = 1;  // of the stress field
+  int threads = 1;  // of the stress field, at most
 };
 
 // Compaction work that a source has done.

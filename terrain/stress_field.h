@@ -33,7 +33,7 @@ class StressField {
 struct StressSettings {
   double concentration_factor;  // [-]  nu, 3 to 6
   double near_field_radius;     // [m]  R_min
-  int threads;                  // >= 1; has no influence on the result
+  int threads;  // >= 1, fewer if ThreadBudget has none free; no influence on results
 };
 
 // The sum over all pairs: OpenMP over columns, SIMD over the volumes of a column. In float; the

@@ -1,0 +1,89 @@
+#include "terrain/worker_pool.h"
+
+#include <pthread.h>
+
+#include <atomic>
+#include <condition_variable>
+#include <deque>
+#include <mutex>
+#include <stdexcept>
+#include <string>
+#include <system_error>
+#include <thread>
+#include <utility>
+
+#include "terrain/processors.h"
+
+namespace softsoil {
+namespace {
+
+struct SharedPool {
+  std::mutex making;
+  std::atomic<WorkerPool*> pool{nullptr};
+};
+
+// Never destroyed: jobs may come while the process ends. A child process starts with a new one, for
+// it has none of its parent's threads, and the parent's locks may be held for ever.
+std::atomic<SharedPool*>& CurrentPool() {
+  static std::atomic<SharedPool*> current{[] {
+    pthread_atfork(nullptr, nullptr, [] { CurrentPool() = new SharedPool; });
+    return new SharedPool;
+  }()};
+  return current;
+}
+
+}  // namespace
+
+struct WorkerPool::Queue {
+  std::mutex mutex;
+  std::condition_variable wake;
+  std::deque<std::packaged_task<void()>> jobs;
+
+  [[noreturn]] void Work() {
+    for (;;) {
+      std::packaged_task<void()> job;
+      {
+        std::unique_lock<std::mutex> lock(mutex);
+        wake.wait(lock, [this] { return !jobs.empty(); });
+        job = std::move(jobs.front());
+        jobs.pop_front();
+      }
+      job();
+    }
+  }
+};
+
+void WorkerPool::StartDetached(std::function<void()> work) {
+  std::thread(std::move(work)).detach();
+}
+
+WorkerPool& WorkerPool::Shared() {
+  SharedPool& shared = *CurrentPool().load();
+  if (WorkerPool* pool = shared.pool.load()) return *pool;
+  const std::lock_guard<std::mutex> lock(shared.making);
+  if (shared.pool.load() == nullptr) shared.pool = new WorkerPool(Processors());
+  return *shared.pool.load();
+}
+
+WorkerPool::WorkerPool(int threads, const StartThread& start) : queue_(std::make_shared<Queue>()) {
+  try {
+    for (; workers_ < threads; ++workers_) start([queue = queue_] { queue->Work(); });
+  } catch (const std::system_error& error) {
+    if (workers_ > 0) return;
+    throw std::runtime_error("the system gives no thread for the soil: " +
+                             std::string(error.what()));
+  }
+}
+
+std::future<void> WorkerPool::Run(std::function<void()> job) {
+  std::packaged_task<void()> task(std::move(job));
+  std::future<void> done = task.get_future();
+  {
+    const std::lock_guard<std::mutex> lock(queue_->mutex);
+    queue_->jobs.push_back(std::move(task));
+  }
+  queue_->wake.notify_one();
+  return done;
+}
+
+}  // namespace softsoil
