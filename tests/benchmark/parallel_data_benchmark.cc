@@ -15,7 +15,7 @@ namespace {
 
 constexpr int kSettling = 500, kSteps = 1000;  // [-]  of 1 ms
 constexpr int kDrive = 1;                      // actuator
-constexpr double kTorque = 4000;               // [N m]
+constexpr double kTorque = 3000;               // [N m]
 
 struct Delete {
   void operator()(mjModel* m) const { mj_deleteModel(m); }

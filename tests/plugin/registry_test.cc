@@ -114,12 +114,16 @@ TEST_F(Registered, IsFoundByManyThreadsAtOnce) {
 }
 
 // A host may step until the very end of the process, when this thread's memory is gone.
-TEST(RegisteredDeathTest, IsFoundAtTheEndOfTheProcess) {
+TEST(RegisteredDeathTest, IsFoundAndErasedAtTheEndOfTheProcess) {
   GTEST_FLAG_SET(death_test_style, "threadsafe");
   const auto exit_and_look = [] {
     Registry::Get().Put(Address(0), Entry("last"));
     if (NameAt(Address(0)) != "last") std::_Exit(1);
-    std::atexit([] { std::_Exit(NameAt(Address(0)) == "last" ? 0 : 2); });
+    std::atexit([] {
+      const bool found = NameAt(Address(0)) == "last";
+      Registry::Get().Erase(Address(0));
+      std::_Exit(found && NameAt(Address(0)) == "none" ? 0 : 2);
+    });
     std::exit(3);
   };
   EXPECT_EXIT(exit_and_look(), testing::ExitedWithCode(0), "");
