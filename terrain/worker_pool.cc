@@ -54,7 +54,9 @@ struct WorkerPool::Queue {
 };
 
 void WorkerPool::StartDetached(std::function<void()> work) {
-  std::thread(std::move(work)).detach();
+  std::thread thread(std::move(work));
+  pthread_setname_np(thread.native_handle(), "softsoil");  // threads that it starts inherit it
+  thread.detach();
 }
 
 WorkerPool& WorkerPool::Shared() {

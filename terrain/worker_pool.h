@@ -9,7 +9,7 @@ namespace softsoil {
 
 class WorkerPool {
  public:
-  // Runs `work` in a new thread; throws std::system_error if the system gives none.
+  // Runs `work` in a new thread, named softsoil; throws std::system_error if the system gives none.
   using StartThread = std::function<void(std::function<void()> work)>;
   static void StartDetached(std::function<void()> work);
 
