@@ -72,7 +72,7 @@ void SoilBinding::StartAfresh() {
 }
 
 void SoilBinding::OnPassive(const mjModel* m, mjData* d) {
-  const StepEvent event = watch_.See(d->time, m->opt.timestep);
+  const StepEvent event = watch_.See(m, d);
   LetHistoryPass(event, d->time);
   try {
     Evaluate(m, d);
