@@ -42,14 +42,13 @@ bool StepWatch::IsStage(const mjModel* m, double time) {
   if (!seen_ || m->opt.integrator != mjINT_RK4 || time < start_) return false;
   const double steps_before = std::floor((time - start_) / start_h_);
   if (IsAbout(0.5, time - start_ - steps_before * start_h_, start_h_)) {
-    if (steps_before > 0) middles_ = 0;
     start_ += steps_before * start_h_;
     ++middles_;
     return true;
   }
-  const bool is_last = middles_ == 2 && IsAbout(1, time - start_, start_h_);
+  if (middles_ != 2 || !IsAbout(1, time - start_, start_h_)) return false;
   middles_ = 0;
-  return is_last;
+  return true;
 }
 
 // The event that time alone tells, unless the state tells that the steps since were undone. The

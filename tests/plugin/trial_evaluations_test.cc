@@ -84,9 +84,7 @@ void ExpectNoTrace(const std::function<Model()>& load, int steps, const Trial& t
   testing::internal::CaptureStderr();
   Go(&tried, steps, trial);
   EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
-  for (Drive* drive : {&plain, &tried}) {
-    mj_forward(drive->m.get(), drive->d.get());
-  }
+  for (Drive* drive : {&plain, &tried}) mj_forward(drive->m.get(), drive->d.get());
   ASSERT_NE(Heights(plain), Heights(Drive(load()))) << "there is a rut to compare";
   EXPECT_EQ(Motion(tried), Motion(plain));
   EXPECT_EQ(Heights(tried), Heights(plain));
