@@ -1,7 +1,7 @@
 // Settings as a text of the C API, and NAME=DATA as one <text name="softsoil_NAME" data="DATA"/> of
 // a model.
 #include "plugin/settings.h"
-
+#include "terrain/input_error.h"
 #include "tests/fuzz/fuzz_target.h"
 
 namespace softsoil {
