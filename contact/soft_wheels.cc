@@ -6,7 +6,8 @@ namespace softsoil {
 
 SoftWheels::SoftWheels(const Soil& soil, const GroundSettings& settings,
                        UndisturbedHeight undisturbed, const std::vector<Tire>& tires)
-    : ground_(soil, settings, std::move(undisturbed), static_cast<int>(tires.size())) {
+    : undisturbed_(soil, settings, std::move(undisturbed), static_cast<int>(tires.size())),
+      ground_(undisturbed_) {
   for (const Tire& tire : tires) wheels_.emplace_back(tire, settings.grid_spacing);
 }
 
@@ -16,6 +17,7 @@ void SoftWheels::Evaluate(int wheel, const TirePose& pose, double h, PatchForces
 
 void SoftWheels::Commit(const std::vector<TirePose>& poses, const std::vector<PatchForces>& forces,
                         double h) {
+  slip_ = nullptr;
   for (int wheel = 0; wheel < size(); ++wheel) {
     wheels_[wheel].Commit(forces[wheel]);
     ground_.AddLoad(wheel, forces[wheel].surface, h);
@@ -27,8 +29,44 @@ void SoftWheels::Commit(const std::vector<TirePose>& poses, const std::vector<Pa
   ground_.Pass(h);
 }
 
+SoftWheelsState SoftWheels::State() {
+  if (slip_ == nullptr) {
+    std::vector<SlipMemory> slip;
+    for (const WheelContact& wheel : wheels_) slip.push_back(wheel.Slip());
+    slip_ = std::make_shared<std::vector<SlipMemory>>(std::move(slip));
+  }
+  return {ground_, slip_};
+}
+
+SoftWheelsState SoftWheels::Undisturbed() const {
+  return {undisturbed_, std::make_shared<std::vector<SlipMemory>>(wheels_.size())};
+}
+
+void SoftWheels::SetState(SoftWheelsState state) {
+  ground_ = std::move(state.ground);
+  for (std::size_t i = 0; i < wheels_.size(); ++i) wheels_[i].SetSlip((*state.slip)[i]);
+  slip_ = std::move(state.slip);
+}
+
+SoftWheelsState SoftWheels::ReadState(StateReader& reader) const {
+  SoftWheelsState state = Undisturbed();
+  state.ground.Read(reader);
+  std::vector<SlipMemory> slip;
+  for (const WheelContact& wheel : wheels_) {
+    slip.push_back(ReadSlipMemory(reader, wheel.nodes().size()));
+  }
+  state.slip = std::make_shared<std::vector<SlipMemory>>(std::move(slip));
+  return state;
+}
+
+void Write(const SoftWheelsState& state, StateWriter& writer) {
+  state.ground.Write(writer);
+  for (const SlipMemory& slip : *state.slip) Write(slip, writer);
+}
+
 void SoftWheels::ForgetSlip() {
   for (WheelContact& wheel : wheels_) wheel.Reset();
+  slip_ = nullptr;
 }
 
 }  // namespace softsoil

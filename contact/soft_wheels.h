@@ -1,6 +1,7 @@
 // All wheels of a vehicle on one soft ground: the whole of softsoil without MuJoCo.
 #pragma once
 
+#include <memory>
 #include <vector>
 
 #include "contact/wheel_contact.h"
@@ -8,6 +9,12 @@
 #include "terrain/ground.h"
 
 namespace softsoil {
+
+// All that the future of the wheels on their ground depends on. Copying it is cheap.
+struct SoftWheelsState {
+  Ground ground;
+  std::shared_ptr<const std::vector<SlipMemory>> slip;  // by wheel
+};
 
 class SoftWheels {
  public:
@@ -28,13 +35,24 @@ class SoftWheels {
   // plastic sinkage and load enter the history, and simulated time passes.
   void Commit(const std::vector<TirePose>& poses, const std::vector<PatchForces>& forces, double h);
 
+  SoftWheelsState State();
+  SoftWheelsState Undisturbed() const;
+  void SetState(SoftWheelsState state);
+  // What Write() wrote. Throws InputError.
+  SoftWheelsState ReadState(StateReader& reader) const;
+
   // After a jump in time: the ground stays as it is, the wheels touch it anew.
   void ForgetSlip();
 
  private:
+  Ground undisturbed_;  // as just made
   Ground ground_;
   std::vector<WheelContact> wheels_;
-  std::vector<NodeSinkage> plastic_;  // scratch
+  std::shared_ptr<const std::vector<SlipMemory>> slip_;  // theirs, once asked for; else null
+  std::vector<NodeSinkage> plastic_;                     // scratch
 };
+
+// Waits for the soil job in flight, and throws what it threw.
+void Write(const SoftWheelsState& state, StateWriter& writer);
 
 }  // namespace softsoil

@@ -128,9 +128,9 @@ void WheelContact::Rub(const TirePose& pose, const Soil& soil, double h,
   const Vector3d slip_w =
       pose.velocity_w + pose.angular_velocity_w.cross(contact->point_w - pose.centre_w);
   const double v_t = slip_w.dot(tangent_w), v_b = slip_w.dot(binormal_w), K = soil.shear.modulus;
-  contact->mobilisation = Slip(mobilisation_[i], v_t, v_b, h, K);
+  contact->mobilisation = softsoil::Slip(mobilisation_[i], v_t, v_b, h, K);
   const double lead = ShearLead(std::hypot(v_t, v_b), K);
-  const Mobilisation damped = Slip(contact->mobilisation, v_t, v_b, lead, K);
+  const Mobilisation damped = softsoil::Slip(contact->mobilisation, v_t, v_b, lead, K);
   const double strength = ShearStrength(soil.shear, tire_.soil_friction, contact->pressure) *
                           HumpFactor(soil.shear, damped.slip);
   contact->shear_force_w =
@@ -140,6 +140,40 @@ void WheelContact::Rub(const TirePose& pose, const Soil& soil, double h,
 void WheelContact::Commit(const PatchForces& forces) {
   Reset();
   for (const NodeContact& c : forces.contacts) mobilisation_[c.node] = c.mobilisation;
+}
+
+SlipMemory WheelContact::Slip() const {
+  SlipMemory slip;
+  for (std::size_t i = 0; i < mobilisation_.size(); ++i) {
+    const Mobilisation& m = mobilisation_[i];
+    if (m.t != 0 || m.b != 0 || m.slip != 0) slip.push_back({static_cast<int>(i), m});
+  }
+  return slip;
+}
+
+void WheelContact::SetSlip(const SlipMemory& slip) {
+  Reset();
+  for (const NodeSlip& s : slip) mobilisation_[s.node] = s.mobilisation;
+}
+
+void Write(const SlipMemory& slip, StateWriter& writer) {
+  writer.Put(static_cast<std::uint64_t>(slip.size()));
+  for (const NodeSlip& s : slip) {
+    writer.Put(s.node);
+    writer.Put(s.mobilisation.t);
+    writer.Put(s.mobilisation.b);
+    writer.Put(s.mobilisation.slip);
+  }
+}
+
+SlipMemory ReadSlipMemory(StateReader& reader, std::size_t nodes) {
+  SlipMemory slip(reader.Count(sizeof(int) + 3 * sizeof(double)));
+  for (NodeSlip& s : slip) {
+    s.node = reader.Get<int>();
+    reader.Require(s.node >= 0 && static_cast<std::size_t>(s.node) < nodes, "a node of a tire");
+    s.mobilisation = {reader.GetFinite(), reader.GetFinite(), reader.GetFinite()};
+  }
+  return slip;
 }
 
 }  // namespace softsoil

@@ -52,6 +52,18 @@ struct PatchForces {
   SurfacePatch patch;                 // the surface below the wheel
 };
 
+// What a wheel remembers of its contact: the slip of every node on the ground. A node that is not
+// listed has not slipped.
+struct NodeSlip {
+  int node;  // of TireNodes
+  Mobilisation mobilisation;
+};
+using SlipMemory = std::vector<NodeSlip>;  // in the order of the nodes
+
+void Write(const SlipMemory& slip, StateWriter& writer);
+// Of a tire of `nodes` nodes. Throws InputError.
+SlipMemory ReadSlipMemory(StateReader& reader, std::size_t nodes);
+
 // The shear stress is that of a moment later [s], as if the slip went on: a viscous share. Without
 // it a wheel that swings on a slope would go on swinging, and creep down. While driving it must
 // not count, so it looks no further ahead than a share [-] of the shear modulus K.
@@ -73,6 +85,9 @@ class WheelContact {
 
   // Keeps the slip memory of the step; nodes that have left the ground forget theirs.
   void Commit(const PatchForces& forces);
+
+  SlipMemory Slip() const;
+  void SetSlip(const SlipMemory& slip);
 
   // Forgets all slip.
   void Reset();

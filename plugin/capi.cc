@@ -1,45 +1,22 @@
-// The C interface. One fence: what is thrown inside becomes -1 and softsoil_error().
-#include <exception>
-#include <stdexcept>
+// The C interface: soil given and taken, and its results.
+#include <memory>
 #include <string>
 
 #include "contact/patch_report.h"
+#include "plugin/fence.h"
 #include "plugin/host.h"
-#include "plugin/registry.h"
 #include "plugin/softsoil.h"
-#include "terrain/input_error.h"
 #include "terrain/limits.h"
 
 namespace {
 
+using softsoil::Fenced;
 using softsoil::InputError;
-using softsoil::Registry;
+using softsoil::Require;
+using softsoil::RunningSoilOf;
 using softsoil::Settings;
 using softsoil::SoilBinding;
-using softsoil::SoilEntry;
-
-std::string& LastError() {
-  thread_local std::string message;
-  return message;
-}
-
-template <class Body>
-int Fenced(const Body& body) {
-  try {
-    LastError().clear();
-    body();
-    return 0;
-  } catch (const std::exception& error) {
-    LastError() = error.what();
-  } catch (...) {
-    LastError() = "unknown error";
-  }
-  return -1;
-}
-
-void Require(const void* argument, const char* name) {
-  if (argument == nullptr) throw InputError(std::string(name) + " must not be NULL");
-}
+using softsoil::SoilOf;
 
 // Grid nodes are numbered with 32 bits.
 void RequirePlace(const char* name, double value) {
@@ -47,19 +24,6 @@ void RequirePlace(const char* name, double value) {
   if (Contains(kPlaces, value)) return;
   throw InputError(std::string(name) + " must be " + InWords(kPlaces) + " m, got " +
                    softsoil::Shown(value));
-}
-
-// The soil of a mjData; whoever holds the result keeps it alive.
-std::shared_ptr<SoilBinding> SoilOf(const mjData* d) {
-  Require(d, "mjData");
-  const std::shared_ptr<SoilEntry> entry = Registry::Get().Find(d);
-  if (entry != nullptr && !entry->lost_because.empty()) {
-    throw std::runtime_error("this mjData has lost its soil: " + entry->lost_because);
-  }
-  if (entry == nullptr || entry->soil == nullptr) {
-    throw InputError("this mjData has no soil: call softsoil_attach() first");
-  }
-  return {entry, entry->soil.get()};
 }
 
 void Copy(const Eigen::Vector3d& from, double* to) {
@@ -122,8 +86,8 @@ softsoilContact ContactResult(const softsoil::PatchPoint& point) {
   return result;
 }
 
-softsoilGround GroundResult(SoilBinding& soil) {
-  softsoil::Ground& ground = soil.soft_wheels().ground();
+softsoilGround GroundResult(const SoilBinding& soil) {
+  const softsoil::Ground& ground = soil.soft_wheels().ground();
   softsoilGround result = {};
   result.soil = soil.plan().soil.name.c_str();
   result.grid_spacing = ground.settings().grid_spacing;
@@ -144,7 +108,7 @@ extern "C" {
 
 const char* softsoil_version(void) { return SOFTSOIL_VERSION; }
 
-const char* softsoil_error(void) { return LastError().c_str(); }
+const char* softsoil_error(void) { return softsoil::LastError().c_str(); }
 
 int softsoil_attach(const mjModel* m, mjData* d, const char* settings) {
   return Fenced([&] {
@@ -156,7 +120,7 @@ int softsoil_attach(const mjModel* m, mjData* d, const char* settings) {
       throw InputError("softsoil_soil: the model or the settings must name a soil");
     }
     softsoil::InstallCallbacks();
-    softsoil::GiveSoil(m, d, softsoil::MakePlan(m, chosen));
+    softsoil::GiveSoil(m, d, std::make_shared<softsoil::SoilPlan>(softsoil::MakePlan(m, chosen)));
   });
 }
 
@@ -178,14 +142,14 @@ int softsoil_reset(const mjModel* m, mjData* d) {
 
 int softsoil_wheel_count(const mjData* d) {
   int count = -1;
-  Fenced([&] { count = SoilOf(d)->soft_wheels().size(); });
+  Fenced([&] { count = RunningSoilOf(d)->soft_wheels().size(); });
   return count;
 }
 
 int softsoil_wheel(const mjData* d, int wheel, softsoilWheel* result) {
   return Fenced([&] {
     Require(result, "result");
-    const std::shared_ptr<SoilBinding> soil = SoilOf(d);
+    const std::shared_ptr<SoilBinding> soil = RunningSoilOf(d);
     RequireWheel(*soil, wheel);
     *result = WheelResult(*soil, wheel);
   });
@@ -193,7 +157,7 @@ int softsoil_wheel(const mjData* d, int wheel, softsoilWheel* result) {
 
 int softsoil_visit_contacts(const mjData* d, int wheel, softsoilContactVisitor visit, void* user) {
   return Fenced([&] {
-    const std::shared_ptr<SoilBinding> soil = SoilOf(d);
+    const std::shared_ptr<SoilBinding> soil = RunningSoilOf(d);
     RequireWheel(*soil, wheel);
     if (visit == nullptr) throw InputError("visit must not be NULL");
     for (const softsoil::PatchPoint& point :

@@ -41,8 +41,10 @@ struct Failure {
 };
 
 void Note(const std::exception& error, Failure* failure) {
+  const bool memory = dynamic_cast<const std::bad_alloc*>(&error) != nullptr;
   failure->happened = true;
-  std::snprintf(failure->message, kLongestMessage, "%s", error.what());
+  std::snprintf(failure->message, kLongestMessage, "%s",
+                memory ? "there is no memory for more soil" : error.what());
 }
 
 // Ends the program the way its author wants errors to end it.
@@ -63,9 +65,9 @@ void Stop(const Failure& failure) {
 void OnPassive(const mjModel* m, mjData* d);
 void InstallContactFilter();
 
-std::unique_ptr<SoilBinding> MakeSoil(SoilPlan plan) {
-  if (plan.remove_rigid_contact) InstallContactFilter();
-  return std::make_unique<SoilBinding>(std::move(plan));
+std::unique_ptr<SoilBinding> MakeSoil(std::shared_ptr<const SoilPlan> plan, const mjModel* m) {
+  if (plan->remove_rigid_contact) InstallContactFilter();
+  return std::make_unique<SoilBinding>(std::move(plan), m);
 }
 
 // A host that sets mjcb_passive after us should call ours. Whether it did is known in the end.
@@ -90,20 +92,27 @@ void PutEntry(const mjModel* m, mjData* d, std::unique_ptr<SoilBinding> soil,
   Registry::Get().Put(d, std::move(entry));
 }
 
-// What becomes of a failure in the middle of a step.
+// What becomes of a failure in the middle of a step. The soil rests as it is: it can still be asked
+// and saved.
 void Answer(const Failure& failure, const mjModel* m, mjData* d) {
   if (host.on_error == OnError::kStop) {
     Stop(failure);
     return;
   }
-  PutEntry(m, d, nullptr, failure.message);
+  const std::shared_ptr<SoilEntry> entry = Registry::Get().Find(d);
+  if (entry != nullptr && entry->fingerprint == FingerprintOf(m, d)) {
+    if (entry->soil != nullptr) entry->soil->RemoveForces(d);
+    entry->lost_because = failure.message;
+  } else {
+    PutEntry(m, d, nullptr, failure.message);
+  }
   Say(std::string(failure.message) + "; the model runs without soft soil");
 }
 
 // The soil that the model asks for, null if it asks for none.
 std::unique_ptr<SoilBinding> SoilThatModelWants(const mjModel* m) {
   const Settings settings = SettingsOf(m);
-  if (!settings.soil.empty()) return MakeSoil(MakePlan(m, settings));
+  if (!settings.soil.empty()) return MakeSoil(std::make_shared<SoilPlan>(MakePlan(m, settings)), m);
   Say("model \"" + std::string(m->names) +
       "\" names no soil (<custom> <text name=\"softsoil_soil\">): it runs without");
   return nullptr;
@@ -124,6 +133,16 @@ std::shared_ptr<SoilEntry> EntryOf(const mjModel* m, const mjData* d, Failure* f
   return entry;
 }
 
+// A mjData without soil that was copied from one with soil, as its userdata tells, gets a soil of
+// its own. Null if it was not.
+std::shared_ptr<SoilEntry> CopiedEntry(const mjModel* m, mjData* d) {
+  if (!HasRoomForMark(m) || !MarkIn(m, d).IsPossible()) return nullptr;
+  const std::shared_ptr<const SoilState> state = SoilBinding::StateOf(MarkIn(m, d));
+  if (state->plan->model_content != ContentOf(m)) return nullptr;
+  PutEntry(m, d, MakeSoil(state->plan, m));
+  return Registry::Get().Find(d);  // its first step follows the mark
+}
+
 // The fence: no exception gets past it.
 void ApplySoil(const mjModel* m, mjData* d, Failure* failure) {
   try {
@@ -134,7 +153,9 @@ void ApplySoil(const mjModel* m, mjData* d, Failure* failure) {
         Say("a mjData with soil was deleted without softsoil_detach()");
       entry = EntryOf(m, d, failure);
     }
-    if (entry != nullptr && entry->soil != nullptr) entry->soil->OnPassive(m, d);
+    if (entry == nullptr) entry = CopiedEntry(m, d);
+    if (entry == nullptr || entry->soil == nullptr || !entry->lost_because.empty()) return;
+    entry->soil->OnPassive(m, d);
   } catch (const std::exception& error) {
     Note(error, failure);
   }
@@ -230,8 +251,16 @@ void LearnModels(OnError on_error) {
   host.learns_models = true;
 }
 
-void GiveSoil(const mjModel* m, mjData* d, SoilPlan plan) {
-  PutEntry(m, d, MakeSoil(std::move(plan)));
+void GiveSoil(const mjModel* m, mjData* d, std::shared_ptr<const SoilPlan> plan) {
+  PutEntry(m, d, MakeSoil(std::move(plan), m));
+  ResetSoil(m, d);
+}
+
+void GiveSoilIfNone(const mjModel* m, mjData* d, std::shared_ptr<const SoilPlan> plan) {
+  const std::shared_ptr<SoilEntry> entry = Registry::Get().Find(d);
+  const bool has_soil =
+      entry != nullptr && entry->soil != nullptr && entry->fingerprint.buffer == d->buffer;
+  if (!has_soil) GiveSoil(m, d, std::move(plan));
 }
 
 void ResetSoil(const mjModel* m, mjData* d) {
@@ -240,9 +269,22 @@ void ResetSoil(const mjModel* m, mjData* d) {
   if (!is_known || !(entry->fingerprint == FingerprintOf(m, d))) {
     throw InputError("this mjData has no soil for this mjModel: call softsoil_attach() first");
   }
-  entry->soil->Reset(d);
+  entry->soil->Reset(m, d);
+  entry->lost_because.clear();
 }
 
-void TakeSoil(const mjModel* m, mjData* d) { PutEntry(m, d, nullptr); }
+void TakeSoil(const mjModel* m, mjData* d) {
+  ResetSoil(m, d);
+  PutEntry(m, d, nullptr);
+}
+
+void RestoreSoil(mjData* d, const SoilState& state) {
+  const std::shared_ptr<SoilEntry> entry = Registry::Get().Find(d);
+  if (entry == nullptr || entry->soil == nullptr || entry->fingerprint.buffer != d->buffer) {
+    throw InputError("this mjData has no soil: call softsoil_attach() first");
+  }
+  entry->soil->SetState(state, entry->fingerprint.model, d);
+  entry->lost_because.clear();
+}
 
 }  // namespace softsoil

@@ -27,12 +27,18 @@ void InstallCallbacks();
 void LearnModels(OnError on_error);
 
 // Gives a mjData the soil of a plan, in place of one it may have.
-void GiveSoil(const mjModel* m, mjData* d, SoilPlan plan);
+void GiveSoil(const mjModel* m, mjData* d, std::shared_ptr<const SoilPlan> plan);
+
+// The same if it has none yet.
+void GiveSoilIfNone(const mjModel* m, mjData* d, std::shared_ptr<const SoilPlan> plan);
 
 // As after GiveSoil. Throws InputError if the mjData has no soil, or has it for another model.
 void ResetSoil(const mjModel* m, mjData* d);
 
 // From now on the mjData goes without soil.
 void TakeSoil(const mjModel* m, mjData* d);
+
+// Gives a mjData with soil a state of it; soil that was lost is there again. Throws InputError.
+void RestoreSoil(mjData* d, const SoilState& state);
 
 }  // namespace softsoil

@@ -28,6 +28,9 @@ struct TireNames {
   std::map<std::string, std::string> of_body;  // exceptions by name of the body
 };
 
+constexpr Limits kHistoryLimits = {0, 1e6};  // [MB]
+constexpr double kMegabyte = 1e6;            // [bytes]
+
 struct Settings {
   std::string soil;    // name in the catalogue; empty: the model wants no soil
   std::string ground;  // name of the plane geom; empty: the only one there is
@@ -37,6 +40,7 @@ struct Settings {
   std::vector<std::string> soil_files, tire_files;  // catalogues besides ours
   bool remove_rigid_contact = false;                // else warn of it
   GroundSettings terrain;
+  double history = 100;  // [MB]  past states of the soil that marks in userdata name; 0: no marks
 };
 
 struct SettingValue {

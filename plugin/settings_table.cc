@@ -144,6 +144,10 @@ const std::vector<Setting>& SettingTable() {
       {"threads", kWholeNumber, kThreadsLimits, "", "one per processor",
        "threads of the soil update; no influence on results",
        [](Settings& s, const V& v) { s.terrain.threads = static_cast<int>(v.number); }},
+      {"history", kNumber, kHistoryLimits, "MB", "100",
+       "past states of the soil, for mjData that are copied or restored; needs <size "
+       "nuserdata=\"2\"/>; 0: none",
+       [](Settings& s, const V& v) { s.history = v.number; }},
   };
   return table;
 }

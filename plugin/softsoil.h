@@ -13,8 +13,10 @@
 //
 // If soil fails during a step, the library says so once on stderr, takes its share out of
 // xfrc_applied and the simulation goes on without soft soil: softsoil_wheel_count() is -1 from then
-// on and softsoil_error() after it tells why. In a preloaded program SOFTSOIL_ON_ERROR=stop, which
-// is the default there, ends the program instead.
+// on and softsoil_error() after it tells why. Nothing that is deformed is lost: the ground can
+// still be asked, copied and saved, and softsoil_restore(), softsoil_load() and softsoil_reset()
+// set the soil going again. In a preloaded program SOFTSOIL_ON_ERROR=stop, which is the default
+// there, ends the program instead.
 //
 // Forces come with MuJoCo's passive forces. A mjcb_passive that the program sets after attaching
 // must call the one that was there. With mjDSBL_PASSIVE nothing is asked of the soil, and the last
@@ -23,6 +25,7 @@
 #define SOFTSOIL_H_
 
 #include <mujoco/mujoco.h>
+#include <stdint.h>
 
 #ifdef __cplusplus
 extern "C" {
@@ -37,56 +40,56 @@ extern "C" {
 // What one wheel does. Axes, signs and definitions: contact/wheel_report.h (TYDEX W axes: x
 // forward, y left, z up; forces of the ground on the wheel).
 typedef struct softsoilWheel_ {
-  const char* name;           // of the body; lives as long as the soil
-  int body;                   // id of the body
-  double load;                // [N]
-  double sinkage;             // [m]
-  double rut_depth;           // [m]
-  double slip_ratio;          // [-]
-  double slip_angle;          // [rad]
-  double camber;              // [rad]
-  double spin;                // [rad/s]
-  double forward_speed;       // [m/s]
-  double thrust;              // [N]
-  double motion_resistance;   // [N]
-  double drawbar_pull;        // [N]
-  double lateral_force;       // [N]
-  double torque;              // [N m]
-  double contact_area;        // [m^2]
-  double mean_pressure;       // [Pa]
-  double peak_pressure;       // [Pa]
-  double compaction_energy;   // [J]   since the start
-  double compaction_power;    // [W]   mean of the last soil period
-  double centre[3];           // [m]   wheel centre
+  const char* name;                      // of the body; lives as long as the soil
+  int body;                              // id of the body
+  double load;                           // [N]
+  double sinkage;                        // [m]
+  double rut_depth;                      // [m]
+  double slip_ratio;                     // [-]
+  double slip_angle;                     // [rad]
+  double camber;                         // [rad]
+  double spin;                           // [rad/s]
+  double forward_speed;                  // [m/s]
+  double thrust;                         // [N]
+  double motion_resistance;              // [N]
+  double drawbar_pull;                   // [N]
+  double lateral_force;                  // [N]
+  double torque;                         // [N m]
+  double contact_area;                   // [m^2]
+  double mean_pressure;                  // [Pa]
+  double peak_pressure;                  // [Pa]
+  double compaction_energy;              // [J]   since the start
+  double compaction_power;               // [W]   mean of the last soil period
+  double centre[3];                      // [m]   wheel centre
   double force[3], torque_at_centre[3];  // [N], [N m]  of the ground on the wheel, world axes
 } softsoilWheel;
 
 // A node of a tire that touches the ground; forces and stresses of the ground on the wheel.
 // Definitions: contact/patch_report.h.
 typedef struct softsoilContact_ {
-  double position[3];         // [m]   of the deformed tire, world axes
-  double normal_force[3];     // [N]   from the pressure, world axes
-  double shear_force[3];      // [N]   world axes
-  double angle;               // [rad] along the circumference from the lowest point of the wheel,
-                              //       along the normal of the ground; positive ahead
-  double lateral;             // [m]   from the middle plane, positive to the left
-  double pressure;            // [Pa]
-  double shear;               // [Pa]  along the circumference, positive where it drives forward
-  double shear_across;        // [Pa]  across the tread, positive to the left
-  double area;                // [m^2]
-  double depth;               // [m]   below the undisturbed ground
+  double position[3];      // [m]   of the deformed tire, world axes
+  double normal_force[3];  // [N]   from the pressure, world axes
+  double shear_force[3];   // [N]   world axes
+  double angle;            // [rad] along the circumference from the lowest point of the wheel,
+                           //       along the normal of the ground; positive ahead
+  double lateral;          // [m]   from the middle plane, positive to the left
+  double pressure;         // [Pa]
+  double shear;            // [Pa]  along the circumference, positive where it drives forward
+  double shear_across;     // [Pa]  across the tread, positive to the left
+  double area;             // [m^2]
+  double depth;            // [m]   below the undisturbed ground
 } softsoilContact;
 
 typedef struct softsoilGround_ {
-  const char* soil;           // name in the catalogue; lives as long as the soil
-  double grid_spacing;        // [m]
-  double soil_clock;          // [s]
+  const char* soil;     // name in the catalogue; lives as long as the soil
+  double grid_spacing;  // [m]
+  double soil_clock;    // [s]
   int threads;
-  size_t columns, volumes;    // below touched tiles
-  size_t bytes;               // of columns, volumes and surface together
-  size_t volume_bytes;        // part of it that grows with the number of volumes
-  double rut_volume;          // [m^3]
-  double displaced_volume;    // [m^3]  part of it that is not compaction
+  size_t columns, volumes;  // below touched tiles
+  size_t bytes;             // of columns, volumes and surface together
+  size_t volume_bytes;      // part of it that grows with the number of volumes
+  double rut_volume;        // [m^3]
+  double displaced_volume;  // [m^3]  part of it that is not compaction
 } softsoilGround;
 
 // Version of the library, "0.1.0".
@@ -129,6 +132,47 @@ SOFTSOIL_API int softsoil_ground(const mjData* d, softsoilGround* result);
 // Calls visit() for every grid node of the touched ground, in a fixed order.
 typedef void (*softsoilVisitor)(void* user, double x, double y, double height, double sinkage);
 SOFTSOIL_API int softsoil_visit_surface(const mjData* d, softsoilVisitor visit, void* user);
+
+// Soil as state
+//
+// The state of the soil is all that its future depends on: the ground, the slip of every tire node,
+// the load since the last soil update and the update in flight. mjData has the rest, and each of
+// these functions but the two for a whole simulation leaves that to its owner:
+//
+//   mj_copyData(d2, m, d1);  softsoil_copy(d2, d1);
+//
+// in any order, before the next step. From then on both go on as the one would have, to the bit.
+// Ground is shared until one of the two changes it, so copies and snapshots cost next to nothing.
+//
+// A model with <size nuserdata="2"/> or more needs none of this: the last two numbers of userdata
+// hold a mark of the soil state, and a mjData that is copied, restored or reset by whatever means
+// finds its soil by itself at the next step. `softsoil_history` [MB] says how many past states are
+// kept; a state that is no longer held is an error. Without the mark, mj_resetData and any other
+// way back in time make the ground undisturbed, and what mj_copyData copies is not the soil.
+
+// Gives `dst` the state of the soil of `src`, a mjData of the same model. It gets a soil if it has
+// none.
+SOFTSOIL_API int softsoil_copy(mjData* dst, const mjData* src);
+
+// A state in memory; NULL if that fails. It may outlive the mjData. Restoring does not use it up.
+typedef struct softsoilSnapshot_ softsoilSnapshot;
+SOFTSOIL_API softsoilSnapshot* softsoil_snapshot(const mjData* d);
+SOFTSOIL_API int softsoil_restore(mjData* d, const softsoilSnapshot* snapshot);
+SOFTSOIL_API void softsoil_free_snapshot(softsoilSnapshot* snapshot);
+
+// A state in a file, complete or not there. A file of another soil, grid, tire or version is
+// refused, and one that is damaged.
+SOFTSOIL_API int softsoil_save(const mjData* d, const char* path);
+SOFTSOIL_API int softsoil_load(mjData* d, const char* path);
+
+// The same with the state of the mjData itself, for which MuJoCo 2.2 has no function.
+// softsoil_load() takes the soil alone from such a file.
+SOFTSOIL_API int softsoil_save_simulation(const mjModel* m, const mjData* d, const char* path);
+SOFTSOIL_API int softsoil_load_simulation(const mjModel* m, mjData* d, const char* path);
+
+// A number that differs, but for a chance of 2^-64, where states of the soil differ in any bit.
+// Waits for the soil job in flight.
+SOFTSOIL_API int softsoil_hash(const mjData* d, uint64_t* hash);
 
 #ifdef __cplusplus
 }

@@ -6,6 +6,7 @@
 
 #include "plugin/log.h"
 #include "plugin/model_geometry.h"
+#include "plugin/soil_identity.h"
 
 namespace softsoil {
 namespace {
@@ -52,26 +53,116 @@ WrenchRow RowOf(const Wrench& wrench) {
   return {f.x(), f.y(), f.z(), t.x(), t.y(), t.z()};
 }
 
+// What a state in the history takes besides tiles.
+std::size_t BytesBesideTiles(const SoilState& state) {
+  std::size_t bytes = sizeof state;
+  for (const SlipMemory& slip : *state.wheels.slip) bytes += slip.size() * sizeof slip.front();
+  return bytes;
+}
+
 }  // namespace
 
-SoilBinding::SoilBinding(SoilPlan plan) : plan_(std::move(plan)), shares_(plan_.wheels.size()) {
-  for (const Wheel& wheel : plan_.wheels) tire_frame_b_.push_back(TireFrame(wheel.axis_b));
+SoilBinding::SoilBinding(std::shared_ptr<const SoilPlan> plan, const mjModel* m)
+    : plan_(std::move(plan)),
+      soft_wheels_(plan_->soil, plan_->terrain, plan_->ground.height, plan_->tires),
+      shares_(plan_->wheels.size()) {
+  for (const Wheel& wheel : plan_->wheels) tire_frame_b_.push_back(TireFrame(wheel.axis_b));
+  if (HasRoomForMark(m) && plan_->history > 0) {
+    history_ = std::make_unique<SoilHistory>(plan_->history);
+  }
+  for (Evaluation* evaluation : {&now_, &pending_}) {
+    evaluation->poses.assign(plan_->wheels.size(), AtRest());
+    evaluation->forces.assign(plan_->wheels.size(), PatchForces{});
+  }
   StartAfresh();
 }
 
 void SoilBinding::StartAfresh() {
-  soft_wheels_ =
-      std::make_unique<SoftWheels>(plan_.soil, plan_.terrain, plan_.ground.height, plan_.tires);
-  for (Evaluation* evaluation : {&now_, &pending_}) {
-    evaluation->poses.assign(plan_.wheels.size(), AtRest());
-    evaluation->forces.assign(plan_.wheels.size(), PatchForces{});
-  }
-  latest_ = &pending_;
-  is_pending_ = false;
+  soft_wheels_.SetState(soft_wheels_.Undisturbed());
+  SetPending({});
   warned_of_depth_ = false;
 }
 
+void SoilBinding::SetPending(const PendingEvaluation& pending) {
+  is_pending_ = !pending.poses.empty();
+  pending_.poses = is_pending_ ? pending.poses : std::vector<TirePose>(shares_.size(), AtRest());
+  pending_.h = pending.h;
+  latest_ = &pending_;
+  for (int wheel = 0; wheel < soft_wheels_.size(); ++wheel) {
+    PatchForces& forces = pending_.forces[wheel];
+    if (is_pending_) {
+      soft_wheels_.Evaluate(wheel, pending_.poses[wheel], pending_.h, &forces);
+    } else {
+      forces = PatchForces{};
+    }
+  }
+}
+
+SoilState SoilBinding::State(const mjData* d) {
+  for (std::size_t i = 0; i < shares_.size(); ++i) shares_[i].Recognise(Row(d, i));
+  SoilState state{plan_, soft_wheels_.State(), watch_, {}, shares_, mark_};
+  if (is_pending_) state.pending = {pending_.poses, pending_.h};
+  return state;
+}
+
+void SoilBinding::SetState(const SoilState& state, const mjModel* m, mjData* d) {
+  if (state.plan != plan_) RequireSame(IdentityOf(*state.plan), IdentityOf(*plan_), "the state");
+  soft_wheels_.SetState(state.wheels);
+  watch_ = state.watch;
+  SetPending(state.pending);
+  for (std::size_t i = 0; i < shares_.size(); ++i) shares_[i].Expect(state.shares[i]);
+  is_restored_ = true;
+  const RevisionMark marked = state.mark;
+  LeaveMark(m, d);
+  other_mark_ = marked;
+}
+
+std::shared_ptr<const SoilState> SoilBinding::StateOf(RevisionMark mark) {
+  if (!mark.IsPossible()) {
+    throw InputError("the last " + std::to_string(kMarkSize) + " numbers of userdata hold " +
+                     Shown(mark.history) + " and " + Shown(mark.revision) +
+                     ", no mark of a soil state: they belong to softsoil; make <size nuserdata> "
+                     "larger by them, or set softsoil_history to 0");
+  }
+  std::shared_ptr<const SoilState> state = SoilHistory::Find(mark);
+  if (state != nullptr) return state;
+  throw InputError(
+      "this mjData was copied or restored to the soil state " + Shown(mark.revision) +
+      " of a mjData, which is no longer held: that mjData is gone, or softsoil_history "
+      "is too small for so long ago");
+}
+
+SoilState SoilBinding::Undisturbed() const {
+  SoilState state{plan_, soft_wheels_.Undisturbed(), {}, {}, {}, {}};
+  state.shares.resize(shares_.size());
+  return state;
+}
+
+// The marks of the state of now: the one that we left, and the one that it had where it came from.
+void SoilBinding::FollowMark(const mjModel* m, mjData* d) {
+  if (history_ == nullptr) return;
+  const RevisionMark mark = MarkIn(m, d);
+  if (mark == mark_ || (mark == other_mark_ && !mark.IsUndisturbed())) return;
+  if (mark.IsUndisturbed()) {
+    watch_ = StepWatch{};
+    StartAfresh();
+    mark_ = other_mark_ = mark;
+    return;
+  }
+  SetState(*StateOf(mark), m, d);
+}
+
+void SoilBinding::LeaveMark(const mjModel* m, mjData* d) {
+  if (history_ == nullptr) return;
+  SoilState state = State(d);
+  const std::size_t copied = soft_wheels_.ground().BytesCopied();
+  history_->Add(&state, copied - std::exchange(bytes_copied_, copied) + BytesBesideTiles(state));
+  mark_ = other_mark_ = state.mark;
+  PutMark(mark_, m, d);
+}
+
 void SoilBinding::OnPassive(const mjModel* m, mjData* d) {
+  FollowMark(m, d);
   const StepEvent event = watch_.See(d->time, m->opt.timestep);
   LetHistoryPass(event, d->time);
   try {
@@ -80,15 +171,18 @@ void SoilBinding::OnPassive(const mjModel* m, mjData* d) {
     is_pending_ = false;
     latest_ = &pending_;
     RemoveForces(d);
+    LeaveMark(m, d);
     Say(std::string(error.what()) + "; no soil forces while that lasts");
     return;
   }
   WriteForces(d);
   latest_ = &now_;
-  if (event == StepEvent::kTrial) return;
-  std::swap(now_, pending_);
-  latest_ = &pending_;
-  is_pending_ = true;
+  if (event != StepEvent::kTrial) {
+    std::swap(now_, pending_);
+    latest_ = &pending_;
+    is_pending_ = true;
+  }
+  LeaveMark(m, d);
 }
 
 void SoilBinding::LetHistoryPass(StepEvent event, double time) {
@@ -97,6 +191,10 @@ void SoilBinding::LetHistoryPass(StepEvent event, double time) {
       if (is_pending_) Commit();
       break;
     case StepEvent::kBack:
+      if (is_restored_) {  // whoever restores a soil wants to keep it
+        ForgetSlip();
+        break;
+      }
       if (time > 0) {
         Say("warning: time ran backwards, but not to 0 s: the ground is undisturbed again");
       }
@@ -104,31 +202,36 @@ void SoilBinding::LetHistoryPass(StepEvent event, double time) {
       break;
     case StepEvent::kJump:
       Say("time leapt ahead by more than a step: the ground stays as it is, slip is forgotten");
-      soft_wheels_->ForgetSlip();
-      is_pending_ = false;
+      ForgetSlip();
       break;
     case StepEvent::kFirst:
     case StepEvent::kSameInstant:
     case StepEvent::kTrial: break;
   }
+  is_restored_ = false;
+}
+
+void SoilBinding::ForgetSlip() {
+  soft_wheels_.ForgetSlip();
+  is_pending_ = false;
 }
 
 void SoilBinding::Commit() {
-  soft_wheels_->Commit(pending_.poses, pending_.forces, pending_.h);
+  soft_wheels_.Commit(pending_.poses, pending_.forces, pending_.h);
   is_pending_ = false;
-  if (warned_of_depth_ || !soft_wheels_->ground().LowestVolumeYields()) return;
+  if (warned_of_depth_ || !soft_wheels_.ground().LowestVolumeYields()) return;
   Say("warning: the lowest soil volume yields under this load; increase softsoil_volumes (" +
-      std::to_string(plan_.terrain.volumes) + ")");
+      std::to_string(plan_->terrain.volumes) + ")");
   warned_of_depth_ = true;
 }
 
 void SoilBinding::Evaluate(const mjModel* m, const mjData* d) {
   now_.h = m->opt.timestep;
-  for (std::size_t i = 0; i < plan_.wheels.size(); ++i) {
-    const Wheel& wheel = plan_.wheels[i];
+  for (std::size_t i = 0; i < plan_->wheels.size(); ++i) {
+    const Wheel& wheel = plan_->wheels[i];
     now_.poses[i] = PoseOf(m, d, wheel, tire_frame_b_[i]);
     try {
-      soft_wheels_->Evaluate(static_cast<int>(i), now_.poses[i], now_.h, &now_.forces[i]);
+      soft_wheels_.Evaluate(static_cast<int>(i), now_.poses[i], now_.h, &now_.forces[i]);
     } catch (const std::runtime_error& error) {
       throw std::runtime_error("wheel \"" + wheel.name + "\": " + error.what());
     }
@@ -136,29 +239,30 @@ void SoilBinding::Evaluate(const mjModel* m, const mjData* d) {
 }
 
 void SoilBinding::WriteForces(mjData* d) {
-  for (std::size_t i = 0; i < plan_.wheels.size(); ++i) {
-    const int body = plan_.wheels[i].body;
+  for (std::size_t i = 0; i < plan_->wheels.size(); ++i) {
+    const int body = plan_->wheels[i].body;
     const Wrench wrench = About(now_.forces[i].wrench, Vector(d->xipos + 3 * body));
-    shares_[i].Write(RowOf(wrench), d->xfrc_applied + 6 * body);
+    shares_[i].Write(RowOf(wrench), Row(d, i));
   }
 }
 
 void SoilBinding::RemoveForces(mjData* d) {
-  for (std::size_t i = 0; i < plan_.wheels.size(); ++i) {
-    shares_[i].Remove(d->xfrc_applied + 6 * plan_.wheels[i].body);
-  }
+  for (std::size_t i = 0; i < shares_.size(); ++i) shares_[i].Remove(Row(d, i));
 }
 
-void SoilBinding::Reset(mjData* d) {
+void SoilBinding::Reset(const mjModel* m, mjData* d) {
   RemoveForces(d);
   watch_ = StepWatch{};
   StartAfresh();
+  mark_ = other_mark_ = RevisionMark{};
+  if (history_ != nullptr) PutMark(mark_, m, d);
 }
 
 bool SoilBinding::RemovesContact(int geom1, int geom2) const {
-  if (!plan_.remove_rigid_contact) return false;
-  const int ground = plan_.ground.geom;
-  return (geom1 == ground && plan_.is_wheels[geom2]) || (geom2 == ground && plan_.is_wheels[geom1]);
+  if (!plan_->remove_rigid_contact) return false;
+  const int ground = plan_->ground.geom;
+  return (geom1 == ground && plan_->is_wheels[geom2]) ||
+         (geom2 == ground && plan_->is_wheels[geom1]);
 }
 
 }  // namespace softsoil

@@ -7,28 +7,41 @@
 #include <vector>
 
 #include "contact/soft_wheels.h"
-#include "plugin/own_share.h"
+#include "plugin/soil_history.h"
 #include "plugin/soil_plan.h"
-#include "plugin/step_watch.h"
+#include "plugin/soil_state.h"
 
 namespace softsoil {
 
 class SoilBinding {
  public:
-  explicit SoilBinding(SoilPlan plan);
+  // Soil for a mjData of the model; undisturbed.
+  SoilBinding(std::shared_ptr<const SoilPlan> plan, const mjModel* m);
   SoilBinding(const SoilBinding&) = delete;  // latest_ points into the object
   SoilBinding& operator=(const SoilBinding&) = delete;
 
   // Adds the forces of the soil on the wheels to xfrc_applied, and lets history pass if a time
   // step was accepted since the last call. If a pose is not finite, as in a simulation that
   // diverges, it says so and leaves the wheels without soil until poses are finite again.
+  //
+  // If userdata has the mark of another state of the soil, that state is restored first. Throws
+  // InputError if it is no longer held.
   void OnPassive(const mjModel* m, mjData* d);
 
   // Takes the soil's share out of xfrc_applied.
   void RemoveForces(mjData* d);
 
   // As just made: undisturbed ground, wheels at rest, no forces in xfrc_applied.
-  void Reset(mjData* d);
+  void Reset(const mjModel* m, mjData* d);
+
+  // The state of now, and one as it was, of the same plan or one that gives the same soil. The rows
+  // of xfrc_applied and the mark in userdata belong to it.
+  SoilState State(const mjData* d);
+  void SetState(const SoilState& state, const mjModel* m, mjData* d);
+  SoilState Undisturbed() const;
+
+  // The state that a mark names. Throws InputError if it is not held.
+  static std::shared_ptr<const SoilState> StateOf(RevisionMark mark);
 
   // Whether steps went by, until `time` [s], at which MuJoCo did not ask for forces.
   bool WasPassedOver(double time) const { return watch_.HasMissed(time); }
@@ -36,9 +49,9 @@ class SoilBinding {
   // Whether the contact of two geoms is to be discarded.
   bool RemovesContact(int geom1, int geom2) const;
 
-  const SoilPlan& plan() const { return plan_; }
-  SoftWheels& soft_wheels() { return *soft_wheels_; }
-  const SoftWheels& soft_wheels() const { return *soft_wheels_; }
+  const SoilPlan& plan() const { return *plan_; }
+  SoftWheels& soft_wheels() { return soft_wheels_; }
+  const SoftWheels& soft_wheels() const { return soft_wheels_; }
 
   // Of the last evaluation, trials included.
   const TirePose& pose(int wheel) const { return latest_->poses[wheel]; }
@@ -52,14 +65,24 @@ class SoilBinding {
   };
 
   void StartAfresh();
+  void SetPending(const PendingEvaluation& pending);
+  void ForgetSlip();
+  double* Row(mjData* d, std::size_t wheel) const {
+    return d->xfrc_applied + 6 * plan_->wheels[wheel].body;
+  }
+  const double* Row(const mjData* d, std::size_t wheel) const {
+    return Row(const_cast<mjData*>(d), wheel);
+  }
+  void FollowMark(const mjModel* m, mjData* d);
+  void LeaveMark(const mjModel* m, mjData* d);
   void LetHistoryPass(StepEvent event, double time);
   void Commit();
   void Evaluate(const mjModel* m, const mjData* d);
   void WriteForces(mjData* d);
 
-  SoilPlan plan_;
+  std::shared_ptr<const SoilPlan> plan_;
   std::vector<Eigen::Matrix3d> tire_frame_b_;  // by wheel: axes of the tire in the body's frame
-  std::unique_ptr<SoftWheels> soft_wheels_;
+  SoftWheels soft_wheels_;
   std::vector<OwnShare> shares_;  // by wheel
   StepWatch watch_;
 
@@ -67,8 +90,14 @@ class SoilBinding {
   // for now, and the pending one, which is history as soon as its time step is known as accepted.
   Evaluation now_, pending_;
   bool is_pending_ = false;
+  bool is_restored_ = false;  // no question since
   bool warned_of_depth_ = false;
   const Evaluation* latest_ = &pending_;
+
+  std::unique_ptr<SoilHistory> history_;  // null: no marks
+  RevisionMark mark_;                     // of the state of now, as in userdata
+  RevisionMark other_mark_;               // the one it had where it came from
+  std::size_t bytes_copied_ = 0;          // until the last revision
 };
 
 }  // namespace softsoil

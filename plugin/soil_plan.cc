@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <functional>
 #include <limits>
 #include <string>
+#include <string_view>
 
 #include "plugin/log.h"
 #include "plugin/models_folder.h"
@@ -15,6 +17,13 @@
 
 namespace softsoil {
 namespace {
+
+template <class T>
+std::size_t Hash(const T* data, int count, std::size_t seed) {
+  const auto* bytes = reinterpret_cast<const char*>(data);
+  const std::string_view view(bytes, count * sizeof(T));
+  return seed * 31 + std::hash<std::string_view>()(view);
+}
 
 Soil ChooseSoil(const Settings& settings) {
   const auto catalogue = SoilCatalogue().With(ModelsFolder() + "/soils", settings.soil_files);
@@ -92,6 +101,13 @@ void RequireUsable(const mjOption& option) {
 
 }  // namespace
 
+std::size_t ContentOf(const mjModel* m) {
+  std::size_t content = Hash(m->names, m->nnames, 0);
+  content = Hash(m->text_data, m->ntextdata, content);
+  content = Hash(m->numeric_data, m->nnumericdata, content);
+  return Hash(m->tuple_objid, m->ntupledata, content);
+}
+
 SoilPlan MakePlan(const mjModel* m, const Settings& settings) {
   RequireUsable(m->opt);
   SoilPlan plan;
@@ -103,6 +119,8 @@ SoilPlan MakePlan(const mjModel* m, const Settings& settings) {
   plan.tires = ChooseTires(m, plan.wheels, settings);
   plan.is_wheels = GeomsOfWheels(m, plan.wheels);
   plan.remove_rigid_contact = settings.remove_rigid_contact;
+  plan.history = static_cast<std::size_t>(settings.history * kMegabyte);
+  plan.model_content = ContentOf(m);
   SayWheels(plan, !settings.wheels.empty());
   WarnOfRigidContact(m, plan);
   WarnOfTimeStep(m, plan);

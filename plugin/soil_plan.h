@@ -21,7 +21,12 @@ struct SoilPlan {
   std::vector<Tire> tires;      // by wheel
   std::vector<bool> is_wheels;  // by geom: it turns with a wheel
   bool remove_rigid_contact;
+  std::size_t history;        // [bytes]  for past states
+  std::size_t model_content;  // ContentOf() the model
 };
+
+// Hash of the names and the <custom> elements of a model.
+std::size_t ContentOf(const mjModel* m);
 
 // Reads catalogues, finds wheels and ground, and says what was chosen and what looks wrong.
 // Throws InputError.

@@ -6,6 +6,8 @@
 // that counts; it is known to be accepted once the next question comes one time step later.
 #pragma once
 
+#include "terrain/state_stream.h"
+
 namespace softsoil {
 
 enum class StepEvent {
@@ -27,6 +29,17 @@ class StepWatch {
     time_ = time;
     h_ = h;
     return event;
+  }
+
+  void Write(StateWriter& writer) const {
+    writer.Put(seen_);
+    writer.Put(time_);
+    writer.Put(h_);
+  }
+  void Read(StateReader& reader) {  // throws InputError
+    seen_ = reader.GetFlag();
+    time_ = reader.GetFinite();
+    h_ = reader.GetFinite();
   }
 
   // Whether steps up to `time` [s] went by without a question.

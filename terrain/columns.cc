@@ -8,87 +8,111 @@
 #include "terrain/load_reach.h"
 
 namespace softsoil {
+namespace {
 
-// 20 bytes per volume: density in double, for it creeps in small steps; the rest in float.
-// Volume k of the column at `place` has the index place * volumes + k, k from the top down.
-struct Columns::Tile {
-  std::array<double, kColumnsPerTile> base;  // [m]  height of the bottom of the column
-  std::vector<double> density;
-  std::vector<float> preconsolidation_density, preconsolidation_stress, peak_density;
+constexpr std::size_t kVolumeBytes = sizeof(double) + 3 * sizeof(float);
 
-  void Resize(std::size_t count) {
-    density.resize(count);
-    preconsolidation_density.resize(count);
-    preconsolidation_stress.resize(count);
-    peak_density.resize(count);
-  }
-  SoilVolume Load(std::size_t k) const {
-    return {density[k], preconsolidation_density[k], preconsolidation_stress[k], peak_density[k],
-            preconsolidation_density[k]};
-  }
-  // Whether any volume of a column is within a load cycle.
-  bool IsOpen(int place, int volumes) const {
-    const float* peak = &peak_density[std::size_t(place) * volumes];
-    return std::any_of(peak, peak + volumes, [](float p) { return p > 0; });
-  }
-  void Store(std::size_t k, const SoilVolume& volume) {
-    density[k] = volume.density;
-    preconsolidation_density[k] = static_cast<float>(volume.preconsolidation_density);
-    preconsolidation_stress[k] = static_cast<float>(volume.preconsolidation_stress);
-    peak_density[k] = static_cast<float>(volume.peak_density);
-  }
-};
+}  // namespace
 
-Columns::Columns(const Soil& soil, const ColumnSettings& settings, UndisturbedHeight undisturbed,
-                 std::unique_ptr<StressField> stress_field)
-    : soil_(soil),
-      settings_(settings),
-      undisturbed_(std::move(undisturbed)),
-      stress_field_(std::move(stress_field)) {
-  for (int k = 0; k < settings.volumes; ++k) {
-    const double middle = (k + 0.5) * settings.volume_height;
-    const SoilVolume volume = UndisturbedVolume(soil.compaction, InitialDensity(soil, middle));
-    undisturbed_volumes_.push_back(volume);
-    yield_stress_ = k == 0 ? volume.preconsolidation_stress
-                           : std::min(yield_stress_, volume.preconsolidation_stress);
+void Write(const PeriodResult& result, StateWriter& writer) {
+  writer.Put(static_cast<std::uint64_t>(result.compaction.size()));
+  for (const NodeSinkage& c : result.compaction) {
+    writer.Put(c.node);
+    writer.Put(c.sinkage);
   }
+  writer.PutAll(result.energy);
+  writer.Put(result.lowest_volume_yields);
 }
 
-Columns::~Columns() = default;
-
-PeriodResult Columns::Advance(const SurfaceLoad& load, double period) {
-  const std::vector<Visit> visits = ColumnsToVisit(load);
-  std::vector<float> stress;
-  stress_field_->VerticalStress(Geometry(visits, load), load, &stress);
-
+PeriodResult ReadPeriodResult(StateReader& reader) {
   PeriodResult result;
-  open_tiles_.clear();
-  for (std::size_t i = 0; i < visits.size(); ++i) {
-    const Visit& visit = visits[i];
-    const double energy = Compact(visit, &stress[i * settings_.volumes], period);
-    if (visit.source >= static_cast<int>(result.energy.size())) {
-      result.energy.resize(visit.source + 1);
-    }
-    if (visit.source >= 0) result.energy[visit.source] += energy;
-    result.compaction.push_back({NodeAt(visit.tile, visit.place), Sinkage(visit)});
-    const Tile& tile = *tiles_.Find(visit.tile);
-    if (!tile.IsOpen(visit.place, settings_.volumes)) continue;
-    open_tiles_.insert(visit.tile);
-    const std::size_t lowest = std::size_t(visit.place + 1) * settings_.volumes - 1;
-    if (tile.peak_density[lowest] > 0) result.lowest_volume_yields = true;
+  result.compaction.resize(reader.Count(sizeof(GridNode) + sizeof(double)));
+  for (NodeSinkage& c : result.compaction) {
+    c.node = reader.Get<GridNode>();
+    c.sinkage = reader.GetFinite();
   }
+  result.energy.resize(reader.Count(sizeof(double)));
+  reader.GetFinite(result.energy.data(), result.energy.size());
+  result.lowest_volume_yields = reader.GetFlag();
   return result;
 }
 
-std::vector<Columns::Visit> Columns::ColumnsToVisit(const SurfaceLoad& load) {
-  const LoadReach reach(load, soil_.concentration_factor);
-  const double dx = settings_.spacing;
+SoilVolume Columns::Tile::Load(std::size_t k) const {
+  return {density[k], preconsolidation_density[k], preconsolidation_stress[k], peak_density[k],
+          preconsolidation_density[k]};
+}
+
+void Columns::Tile::Store(std::size_t k, const SoilVolume& volume) {
+  density[k] = volume.density;
+  preconsolidation_density[k] = static_cast<float>(volume.preconsolidation_density);
+  preconsolidation_stress[k] = static_cast<float>(volume.preconsolidation_stress);
+  peak_density[k] = static_cast<float>(volume.peak_density);
+}
+
+bool Columns::Tile::IsOpen(int place, int volumes) const {
+  const float* peak = &peak_density[std::size_t(place) * volumes];
+  return std::any_of(peak, peak + volumes, [](float p) { return p > 0; });
+}
+
+Columns::Columns(const Soil& soil, const ColumnSettings& settings, UndisturbedHeight undisturbed,
+                 std::unique_ptr<StressField> stress_field) {
+  const auto model = std::make_shared<Model>();
+  model->soil = soil;
+  model->settings = settings;
+  model->undisturbed = std::move(undisturbed);
+  model->stress_field = std::move(stress_field);
+  for (int k = 0; k < settings.volumes; ++k) {
+    const double middle = (k + 0.5) * settings.volume_height;
+    const SoilVolume volume = UndisturbedVolume(soil.compaction, InitialDensity(soil, middle));
+    model->volumes.push_back(volume);
+    model->yield_stress = k == 0 ? volume.preconsolidation_stress
+                                 : std::min(model->yield_stress, volume.preconsolidation_stress);
+  }
+  model_ = model;
+}
+
+PeriodResult Columns::Advance(const SurfaceLoad& load, double period) {
+  // All that may fail comes first.
+  const std::vector<Visit> visits = ColumnsToVisit(load);
+  std::vector<Tile*> tiles;
+  for (const Visit& visit : visits) tiles.push_back(&Touch(visit.tile));
+  std::vector<float> stress;
+  model_->stress_field->VerticalStress(Geometry(visits, load), load, &stress);
+  PeriodResult result;
+  result.compaction.reserve(visits.size());
+  for (const Visit& visit : visits) {
+    if (visit.source >= static_cast<int>(result.energy.size())) {
+      result.energy.resize(visit.source + 1);
+    }
+  }
+  std::vector<TileIndex> open_tiles;
+  open_tiles.reserve(visits.size());
+
+  const int volumes = model_->settings.volumes;
+  for (std::size_t i = 0; i < visits.size(); ++i) {
+    const Visit& visit = visits[i];
+    Tile& tile = *tiles[i];
+    const double energy = Compact(tile, visit.place, &stress[i * volumes], period);
+    if (visit.source >= 0) result.energy[visit.source] += energy;
+    result.compaction.push_back({NodeAt(visit.tile, visit.place), Sinkage(tile, visit.place)});
+    if (!tile.IsOpen(visit.place, volumes)) continue;
+    if (open_tiles.empty() || !(open_tiles.back() == visit.tile)) open_tiles.push_back(visit.tile);
+    const std::size_t lowest = std::size_t(visit.place + 1) * volumes - 1;
+    if (tile.peak_density[lowest] > 0) result.lowest_volume_yields = true;
+  }
+  open_tiles_ = std::move(open_tiles);
+  return result;
+}
+
+std::vector<Columns::Visit> Columns::ColumnsToVisit(const SurfaceLoad& load) const {
+  const LoadReach reach(load, model_->soil.concentration_factor);
+  const double dx = model_->settings.spacing, yield_stress = model_->yield_stress;
   std::vector<Visit> visits;
-  reach.ForEachRectangle(yield_stress_, [&](double x0, double x1, double y0, double y1) {
+  reach.ForEachRectangle(yield_stress, [&](double x0, double x1, double y0, double y1) {
     for (int i = static_cast<int>(std::ceil(x0 / dx)); i * dx <= x1; ++i) {
       for (int j = static_cast<int>(std::ceil(y0 / dx)); j * dx <= y1; ++j) {
         const LoadReach::Bound bound = reach.At(i * dx, j * dx);
-        if (bound.stress < yield_stress_) continue;
+        if (bound.stress < yield_stress) continue;
         visits.push_back({TileOf({i, j}), PlaceInTile({i, j}), bound.source});
       }
     }
@@ -96,7 +120,7 @@ std::vector<Columns::Visit> Columns::ColumnsToVisit(const SurfaceLoad& load) {
   for (const TileIndex& index : open_tiles_) {
     const Tile& tile = *tiles_.Find(index);
     for (int place = 0; place < kColumnsPerTile; ++place) {
-      if (!tile.IsOpen(place, settings_.volumes)) continue;
+      if (!tile.IsOpen(place, model_->settings.volumes)) continue;
       const GridNode node = NodeAt(index, place);
       visits.push_back({index, place, reach.At(node.i * dx, node.j * dx).source});
     }
@@ -107,90 +131,136 @@ std::vector<Columns::Visit> Columns::ColumnsToVisit(const SurfaceLoad& load) {
   std::sort(visits.begin(), visits.end(), before);
   const auto same = [&](const Visit& a, const Visit& b) { return !before(a, b) && !before(b, a); };
   visits.erase(std::unique(visits.begin(), visits.end(), same), visits.end());
-  for (const Visit& visit : visits) Touch(visit.tile);
   return visits;
 }
 
 ColumnBatch Columns::Geometry(const std::vector<Visit>& visits, const SurfaceLoad& load) const {
+  const double dx = model_->settings.spacing;
+  const int volumes = model_->settings.volumes;
   std::map<std::pair<int, int>, double> pressure;
-  const double area = settings_.spacing * settings_.spacing;
-  for (const NodeForce& f : load) pressure[{f.node.i, f.node.j}] -= f.force_w.z() / area;
+  for (const NodeForce& f : load) pressure[{f.node.i, f.node.j}] -= f.force_w.z() / (dx * dx);
 
   ColumnBatch batch;
-  batch.volumes = settings_.volumes;
-  batch.z.resize(visits.size() * settings_.volumes);
+  batch.volumes = volumes;
+  batch.z.resize(visits.size() * volumes);
   for (std::size_t i = 0; i < visits.size(); ++i) {
     const GridNode node = NodeAt(visits[i].tile, visits[i].place);
-    batch.x.push_back(node.i * settings_.spacing);
-    batch.y.push_back(node.j * settings_.spacing);
+    batch.x.push_back(node.i * dx);
+    batch.y.push_back(node.j * dx);
     const auto own = pressure.find({node.i, node.j});
     batch.surface_pressure.push_back(own != pressure.end() ? own->second : 0.0);
 
     const Tile& tile = *tiles_.Find(visits[i].tile);
     double bottom = tile.base[visits[i].place];
-    for (int k = settings_.volumes - 1; k >= 0; --k) {
-      const double height =
-          VolumeMass(k) / tile.density[std::size_t(visits[i].place) * settings_.volumes + k];
-      batch.z[i * settings_.volumes + k] = bottom + height / 2;
+    for (int k = volumes - 1; k >= 0; --k) {
+      const std::size_t index = std::size_t(visits[i].place) * volumes + k;
+      const double height = model_->VolumeMass(k) / tile.density[index];
+      batch.z[i * volumes + k] = bottom + height / 2;
       bottom += height;
     }
   }
   return batch;
 }
 
-double Columns::Compact(const Visit& visit, const float* stress, double period) {
-  Tile& tile = *tiles_.Find(visit.tile);
-  const double area = settings_.spacing * settings_.spacing;
+double Columns::Compact(Tile& tile, int place, const float* stress, double period) const {
+  const double area = model_->settings.spacing * model_->settings.spacing;
   double energy = 0;
-  for (int k = 0; k < settings_.volumes; ++k) {
-    const std::size_t index = std::size_t(visit.place) * settings_.volumes + k;
+  for (int k = 0; k < model_->settings.volumes; ++k) {
+    const std::size_t index = std::size_t(place) * model_->settings.volumes + k;
     SoilVolume volume = tile.Load(index);
     const double before = volume.density;
-    softsoil::Advance(soil_.compaction, stress[k], period, volume);
-    energy += CompactionEnergy(stress[k], before, volume.density) * area * VolumeMass(k) / before;
+    softsoil::Advance(model_->soil.compaction, stress[k], period, volume);
+    energy +=
+        CompactionEnergy(stress[k], before, volume.density) * area * model_->VolumeMass(k) / before;
     tile.Store(index, volume);
   }
   return energy;
 }
 
-double Columns::Sinkage(const Visit& visit) const {
-  const Tile& tile = *tiles_.Find(visit.tile);
+double Columns::Sinkage(const Tile& tile, int place) const {
+  const std::vector<SoilVolume>& undisturbed = model_->volumes;
   double strain = 0;
-  for (int k = 0; k < settings_.volumes; ++k) {
-    const std::size_t index = std::size_t(visit.place) * settings_.volumes + k;
-    strain += 1 - undisturbed_volumes_[k].density / tile.density[index];
+  for (std::size_t k = 0; k < undisturbed.size(); ++k) {
+    strain += 1 - undisturbed[k].density / tile.density[place * undisturbed.size() + k];
   }
-  return settings_.volume_height * strain;
+  return model_->settings.volume_height * strain;
+}
+
+Columns::Tile Columns::MakeTile(TileIndex index) const {
+  const ColumnSettings& settings = model_->settings;
+  const std::size_t count = std::size_t(kColumnsPerTile) * settings.volumes;
+  Tile tile;
+  tile.density.resize(count);
+  tile.preconsolidation_density.resize(count);
+  tile.preconsolidation_stress.resize(count);
+  tile.peak_density.resize(count);
+  for (std::size_t k = 0; k < count; ++k) tile.Store(k, model_->volumes[k % settings.volumes]);
+  const double depth = settings.volumes * settings.volume_height;
+  for (int place = 0; place < kColumnsPerTile; ++place) {
+    const GridNode node = NodeAt(index, place);
+    tile.base[place] =
+        model_->undisturbed(node.i * settings.spacing, node.j * settings.spacing) - depth;
+  }
+  return tile;
 }
 
 Columns::Tile& Columns::Touch(TileIndex index) {
-  return tiles_.Touch(index, [this, index] {
-    auto tile = std::make_unique<Tile>();
-    tile->Resize(std::size_t(kColumnsPerTile) * settings_.volumes);
-    for (std::size_t k = 0; k < tile->density.size(); ++k) {
-      tile->Store(k, undisturbed_volumes_[k % settings_.volumes]);
-    }
-    const double depth = settings_.volumes * settings_.volume_height;
-    for (int place = 0; place < kColumnsPerTile; ++place) {
-      const GridNode node = NodeAt(index, place);
-      tile->base[place] =
-          undisturbed_(node.i * settings_.spacing, node.j * settings_.spacing) - depth;
-    }
-    return tile;
-  });
+  return tiles_.Touch(index, [&] { return MakeTile(index); });
 }
 
 std::size_t Columns::MemoryBytes() const { return tiles_.size() * sizeof(Tile) + VolumeBytes(); }
 
-std::size_t Columns::VolumeBytes() const {
-  return volume_count() * (sizeof(double) + 3 * sizeof(float));
+std::size_t Columns::VolumeBytes() const { return volume_count() * kVolumeBytes; }
+
+std::size_t Columns::BytesCopied() const {
+  const std::size_t volumes = std::size_t(kColumnsPerTile) * model_->settings.volumes;
+  return tiles_.copied() * (sizeof(Tile) + volumes * kVolumeBytes);
+}
+
+void Columns::Write(StateWriter& writer) const {
+  tiles_.Write(writer, [](StateWriter& to, const Tile& tile) {
+    to.PutAll(tile.density);
+    to.PutAll(tile.preconsolidation_density);
+    to.PutAll(tile.preconsolidation_stress);
+    to.PutAll(tile.peak_density);
+  });
+  writer.PutAll(open_tiles_);
+}
+
+void Columns::Read(StateReader& reader) {
+  const std::size_t volumes = std::size_t(kColumnsPerTile) * model_->settings.volumes;
+  const auto read = [&](StateReader& from, Tile& tile) {
+    tile.density = from.GetAll<double>();
+    for (auto* values :
+         {&tile.preconsolidation_density, &tile.preconsolidation_stress, &tile.peak_density}) {
+      *values = from.GetAll<float>();
+    }
+    from.Require(IsSound(tile, volumes), "a soil volume");
+  };
+  tiles_.Read(
+      reader, volumes * kVolumeBytes, [&](TileIndex index) { return MakeTile(index); }, read);
+  open_tiles_ = reader.GetAll<TileIndex>();
+  for (const TileIndex& index : open_tiles_) {
+    reader.Require(tiles_.Find(index) != nullptr, "a tile with an open load cycle");
+  }
+}
+
+bool Columns::IsSound(const Tile& tile, std::size_t volumes) {
+  const auto positive = [](double v) { return v > 0 && std::isfinite(v); };
+  const auto at_least_zero = [](double v) { return v >= 0 && std::isfinite(v); };
+  const auto all = [volumes](const auto& values, const auto& holds) {
+    return values.size() == volumes && std::all_of(values.begin(), values.end(), holds);
+  };
+  return all(tile.density, positive) && all(tile.preconsolidation_density, positive) &&
+         all(tile.preconsolidation_stress, positive) && all(tile.peak_density, at_least_zero);
 }
 
 std::vector<double> Columns::Densities(GridNode node) const {
   const Tile* tile = tiles_.Find(TileOf(node));
   if (tile == nullptr) return {};
-  const auto first = tile->density.begin() + PlaceInTile(node) * settings_.volumes;
-  return {first, first + settings_.volumes};
+  const int volumes = model_->settings.volumes;
+  const auto first = tile->density.begin() + PlaceInTile(node) * volumes;
+  return {first, first + volumes};
 }
 
 }  // namespace softsoil

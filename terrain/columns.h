@@ -3,7 +3,6 @@
 #pragma once
 
 #include <memory>
-#include <set>
 #include <vector>
 
 #include "terrain/soil.h"
@@ -25,54 +24,80 @@ struct PeriodResult {
   bool lowest_volume_yields = false;    // the column is too short for this load
 };
 
+void Write(const PeriodResult& result, StateWriter& writer);
+PeriodResult ReadPeriodResult(StateReader& reader);  // throws InputError
+
+// Copies share what has not changed since.
 class Columns {
  public:
+  Columns() = default;  // below no ground; to be assigned to
   Columns(const Soil& soil, const ColumnSettings& settings, UndisturbedHeight undisturbed,
           std::unique_ptr<StressField> stress_field);
-  ~Columns();
 
   // Holds the load on the ground for `period` [s]: stress -> density -> heights.
   //
   // Only those columns are visited that the load can compact, and those with an open load cycle;
-  // for all others the result would be the same.
+  // for all others the result would be the same. If memory runs out, or the stress field throws,
+  // all columns stay as they were.
   PeriodResult Advance(const SurfaceLoad& load, double period);
 
   std::size_t column_count() const { return tiles_.size() * kColumnsPerTile; }
-  std::size_t volume_count() const { return column_count() * settings_.volumes; }
+  std::size_t volume_count() const { return column_count() * model_->settings.volumes; }
   std::size_t MemoryBytes() const;
   std::size_t VolumeBytes() const;  // part of it that grows with the number of volumes
+
+  std::size_t BytesCopied() const;  // of tiles that had to be copied, being shared, so far
+
+  void Write(StateWriter& writer) const;
+  void Read(StateReader& reader);  // throws InputError
 
   // Densities [kg/m^3] of the column at a node from the top down; empty if untouched.
   std::vector<double> Densities(GridNode node) const;
 
  private:
   static constexpr int kColumnsPerTile = kTileSide * kTileSide;
-  struct Tile;
+  // What never changes.
+  struct Model {
+    Soil soil;
+    ColumnSettings settings;
+    UndisturbedHeight undisturbed;
+    std::vector<SoilVolume> volumes;  // of any undisturbed column, from the top down
+    double yield_stress;              // [Pa]  of the weakest of them
+    std::unique_ptr<StressField> stress_field;
+    // Mass [kg/m^2] of the volume k per area of its column; compaction does not change it.
+    double VolumeMass(int k) const { return settings.volume_height * volumes[k].density; }
+  };
+  // 20 bytes per volume: density in double, for it creeps in small steps; the rest in float.
+  // Volume k of the column at `place` has the index place * volumes + k, k from the top down.
+  struct Tile {
+    std::array<double, kColumnsPerTile> base;  // [m]  height of the bottom of the column
+    std::vector<double> density;
+    std::vector<float> preconsolidation_density, preconsolidation_stress, peak_density;
+
+    SoilVolume Load(std::size_t k) const;
+    void Store(std::size_t k, const SoilVolume& volume);
+    // Whether any volume of a column is within a load cycle.
+    bool IsOpen(int place, int volumes) const;
+  };
   struct Visit {
     TileIndex tile;
     int place;
     int source;  // whose load presses most on the column; -1 where none reaches
   };
 
-  std::vector<Visit> ColumnsToVisit(const SurfaceLoad& load);
+  std::vector<Visit> ColumnsToVisit(const SurfaceLoad& load) const;
   ColumnBatch Geometry(const std::vector<Visit>& visits, const SurfaceLoad& load) const;
   // Returns the compaction energy [J].
-  double Compact(const Visit& visit, const float* stress, double period);
-  double Sinkage(const Visit& visit) const;
-  // Mass [kg/m^2] of the volume k per area of its column; compaction does not change it.
-  double VolumeMass(int k) const {
-    return settings_.volume_height * undisturbed_volumes_[k].density;
-  }
+  double Compact(Tile& tile, int place, const float* stress, double period) const;
+  double Sinkage(const Tile& tile, int place) const;
+  Tile MakeTile(TileIndex index) const;
   Tile& Touch(TileIndex index);
+  // Whether a tile could be that of a simulation.
+  static bool IsSound(const Tile& tile, std::size_t volumes);
 
-  Soil soil_;
-  ColumnSettings settings_;
-  UndisturbedHeight undisturbed_;
-  std::vector<SoilVolume> undisturbed_volumes_;  // of any column, from the top down
-  double yield_stress_;                          // [Pa]  of the weakest of them
-  std::unique_ptr<StressField> stress_field_;
+  std::shared_ptr<const Model> model_;
   TileMap<Tile> tiles_;
-  std::set<TileIndex> open_tiles_;  // tiles with an open load cycle
+  std::vector<TileIndex> open_tiles_;  // tiles with an open load cycle, in order
 };
 
 }  // namespace softsoil

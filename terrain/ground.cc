@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include "terrain/worker_pool.h"
+
 namespace softsoil {
 namespace {
 
@@ -26,7 +28,7 @@ const GroundSettings& Checked(const GroundSettings& s) {
 
 Ground::Ground(const Soil& soil, const GroundSettings& settings, UndisturbedHeight undisturbed,
                int sources)
-    : soil_(soil),
+    : soil_(std::make_shared<Soil>(soil)),
       settings_(Checked(settings)),
       surface_(settings.grid_spacing, settings.mode, undisturbed),
       columns_(soil, {settings.grid_spacing, settings.volume_height, settings.volumes}, undisturbed,
@@ -35,10 +37,6 @@ Ground::Ground(const Soil& soil, const GroundSettings& settings, UndisturbedHeig
       clock_(settings.soil_clock),
       work_(sources) {
   for (int source = 0; source < sources; ++source) gatherers_.emplace_back(settings.grid_spacing);
-}
-
-Ground::~Ground() {
-  if (job_.valid()) job_.wait();
 }
 
 void Ground::AddLoad(int source, const std::vector<SurfaceForce>& forces, double h) {
@@ -66,47 +64,108 @@ SurfaceLoad Ground::TakeLoad(double period) {
 }
 
 void Ground::Start(SurfaceLoad load, double period) {
-  job_period_ = period;
-  auto job = [this, load = std::move(load), period] {
-    job_result_ = columns_.Advance(load, period);
+  WorkerPool& pool = WorkerPool::Shared();
+  const auto job = std::make_shared<Job>();
+  job->load = std::move(load);
+  job->period = period;
+  const auto advance = [job] {
+    try {
+      job->result = job->columns.Advance(job->load, job->period);
+    } catch (...) {
+      job->failure = std::current_exception();
+    }
   };
-  if (settings_.sync) {
-    job();
-  } else {
-    job_ = WorkerPool::Shared().Run(std::move(job));
+  job->columns = std::move(columns_);
+  try {
+    job_done_ = pool.Run(advance).share();
+  } catch (...) {
+    columns_ = std::move(job->columns);
+    throw;
   }
+  job_ = job;
 }
 
 void Ground::Join() {
-  if (job_.valid()) job_.get();
-  for (const NodeSinkage& compaction : job_result_.compaction) surface_.SetCompaction(compaction);
-  job_result_.energy.resize(work_.size());
+  if (job_ == nullptr) return;
+  job_done_.wait();
+  // Should memory run out here, the next Join() does it again.
+  for (const NodeSinkage& c : job_->result.compaction) surface_.SetCompaction(c);
+  columns_ = job_->columns;
+  column_bytes_copied_ = columns_.BytesCopied();
+  const std::shared_ptr<const Job> job = std::exchange(job_, nullptr);
+  if (job->failure != nullptr) std::rethrow_exception(job->failure);
+  CountWork(job->result, job->period);
+}
+
+void Ground::CountWork(const PeriodResult& result, double period) {
   for (std::size_t source = 0; source < work_.size(); ++source) {
-    work_[source].energy += job_result_.energy[source];
-    work_[source].power = job_period_ > 0 ? job_result_.energy[source] / job_period_ : 0.0;
+    const double energy = source < result.energy.size() ? result.energy[source] : 0.0;
+    work_[source].energy += energy;
+    work_[source].power = energy / period;
   }
-  lowest_volume_yields_ = lowest_volume_yields_ || job_result_.lowest_volume_yields;
-  job_result_ = PeriodResult{};
+  lowest_volume_yields_ = lowest_volume_yields_ || result.lowest_volume_yields;
 }
 
-std::size_t Ground::VolumeCount() {
-  if (job_.valid()) job_.wait();
-  return columns_.volume_count();
+const Columns& Ground::LatestColumns() const {
+  if (job_ == nullptr) return columns_;
+  job_done_.wait();
+  return job_->columns;
 }
 
-std::size_t Ground::ColumnCount() {
-  if (job_.valid()) job_.wait();
-  return columns_.column_count();
+std::size_t Ground::VolumeCount() const { return LatestColumns().volume_count(); }
+
+std::size_t Ground::ColumnCount() const { return LatestColumns().column_count(); }
+
+std::size_t Ground::ColumnBytes() const {
+  return LatestColumns().MemoryBytes() + surface_.MemoryBytes();
 }
 
-std::size_t Ground::ColumnBytes() {
-  if (job_.valid()) job_.wait();
-  return columns_.MemoryBytes() + surface_.MemoryBytes();
+std::size_t Ground::VolumeBytes() const { return LatestColumns().VolumeBytes(); }
+
+std::size_t Ground::BytesCopied() const {
+  std::size_t bytes = surface_.BytesCopied() + column_bytes_copied_;
+  for (const LoadGatherer& gatherer : gatherers_) bytes += gatherer.BytesCopied();
+  return bytes;
 }
 
-std::size_t Ground::VolumeBytes() {
-  if (job_.valid()) job_.wait();
-  return columns_.VolumeBytes();
+void Ground::Write(StateWriter& writer) const {
+  const Columns& columns = LatestColumns();  // waits
+  if (job_ != nullptr && job_->failure != nullptr) std::rethrow_exception(job_->failure);
+  surface_.Write(writer);
+  columns.Write(writer);
+  clock_.Write(writer);
+  for (const LoadGatherer& gatherer : gatherers_) gatherer.Write(writer);
+  for (const CompactionWork& work : work_) {
+    writer.Put(work.energy);
+    writer.Put(work.power);
+  }
+  writer.Put(lowest_volume_yields_);
+  writer.Put(job_ != nullptr);
+  if (job_ == nullptr) return;
+  writer.Put(job_->period);
+  softsoil::Write(job_->result, writer);
+}
+
+void Ground::Read(StateReader& reader) {
+  surface_.Read(reader);
+  columns_.Read(reader);
+  clock_.Read(reader);
+  for (LoadGatherer& gatherer : gatherers_) gatherer.Read(reader);
+  for (CompactionWork& work : work_) {
+    work.energy = reader.GetFinite();
+    work.power = reader.GetFinite();
+  }
+  lowest_volume_yields_ = reader.GetFlag();
+  if (!reader.GetFlag()) return;
+  const double period = reader.GetFinite();
+  reader.Require(period > 0, "a soil period");
+  job_ = std::make_shared<Job>();
+  job_->period = period;
+  job_->result = ReadPeriodResult(reader);
+  job_->columns = std::move(columns_);
+  std::promise<void> done;
+  job_done_ = done.get_future().share();
+  done.set_value();
 }
 
 }  // namespace softsoil

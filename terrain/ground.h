@@ -2,6 +2,7 @@
 // on the soil clock.
 #pragma once
 
+#include <exception>
 #include <future>
 #include <memory>
 #include <vector>
@@ -26,9 +27,9 @@ struct GroundSettings {
   double volume_height = 0.025;  // [m]
   int volumes = 30;              // [-]  per column
   double soil_clock = 0.01;      // [s]  simulated time between soil updates
-  bool sync = false;             // update in place at the tick, instead of in the background
+  bool sync = false;             // wait for the update at the tick, instead of one tick later
   SurfaceMode mode = SurfaceMode::kFlow;
-  int threads = 1;  // of the stress field
+  int threads = 1;  // of the stress field, at most
 };
 
 // Compaction work that a source has done.
@@ -37,16 +38,15 @@ struct CompactionWork {
   double power = 0;   // [W]  mean of the last soil period
 };
 
+// A copy is a second ground that from now on goes its own way. It costs next to nothing: what has
+// not changed since is shared, a soil update in flight too.
 class Ground {
  public:
   // Throws InputError if a setting is out of range.
   Ground(const Soil& soil, const GroundSettings& settings, UndisturbedHeight undisturbed,
          int sources);
-  ~Ground();
-  Ground(const Ground&) = delete;
-  Ground& operator=(const Ground&) = delete;
 
-  const Soil& soil() const { return soil_; }
+  const Soil& soil() const { return *soil_; }
   const GroundSettings& settings() const { return settings_; }
   const Surface& surface() const { return surface_; }
 
@@ -57,24 +57,46 @@ class Ground {
 
   // Lets h [s] of simulated time pass. At a tick of the soil clock the job of the tick before is
   // awaited, its heights become the surface, and the mean load of the period is handed to the
-  // next job; with `sync` that job runs at once and its heights become the surface without lag.
+  // next job; with `sync` that job is awaited at once and its heights become the surface without
+  // lag. Throws what a job threw; the ground is then without the load of the job's period.
   void Pass(double h);
 
   // Of the heights that are in the surface; a job in flight is not counted.
   const CompactionWork& Work(int source) const { return work_[source]; }
   bool LowestVolumeYields() const { return lowest_volume_yields_; }
-  // Waits for the job in flight, then tells the size of the soil.
-  std::size_t VolumeCount();
-  std::size_t ColumnCount();
-  std::size_t ColumnBytes();  // of columns, volumes and surface
-  std::size_t VolumeBytes();  // part of it that grows with the number of volumes
+  // These wait for the job in flight.
+  std::size_t VolumeCount() const;
+  std::size_t ColumnCount() const;
+  std::size_t ColumnBytes() const;  // of columns, volumes and surface
+  std::size_t VolumeBytes() const;  // part of it that grows with the number of volumes
+
+  // Bytes of soil that had to be copied so far because other copies shared them; of the columns as
+  // of the last job that was awaited.
+  std::size_t BytesCopied() const;
+
+  // All that the future depends on. Write() waits for the job in flight and throws what it threw.
+  // Read() is for a ground as just made; it throws InputError, and then the ground is of no use.
+  void Write(StateWriter& writer) const;
+  void Read(StateReader& reader);
 
  private:
+  // A soil update. It holds all that it works on, so that it needs none of the copies of the ground
+  // that wait for it.
+  struct Job {
+    Columns columns;
+    SurfaceLoad load;
+    double period;  // [s]
+    PeriodResult result;
+    std::exception_ptr failure;  // null; or there is no result
+  };
+
   SurfaceLoad TakeLoad(double period);
   void Start(SurfaceLoad load, double period);
   void Join();
+  void CountWork(const PeriodResult& result, double period);
+  const Columns& LatestColumns() const;
 
-  Soil soil_;
+  std::shared_ptr<const Soil> soil_;
   GroundSettings settings_;
   Surface surface_;
   Columns columns_;
@@ -82,10 +104,11 @@ class Ground {
   std::vector<LoadGatherer> gatherers_;  // by source
   std::vector<CompactionWork> work_;     // by source
   bool lowest_volume_yields_ = false;
+  std::size_t column_bytes_copied_ = 0;
 
-  std::future<void> job_;
-  PeriodResult job_result_;  // written by the job, read after it is joined
-  double job_period_ = 0;    // [s]
+  // The job in flight, which has the columns meanwhile; null if none.
+  std::shared_ptr<Job> job_;
+  std::shared_future<void> job_done_;
 };
 
 }  // namespace softsoil

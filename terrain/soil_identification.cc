@@ -113,9 +113,8 @@ void Identification::Shear() {
     SourceOf("shear") = "relations fitted to soils of Madsen 2014, 3.3, at " + result_.composition;
     return;
   }
-  const ShearFit& fit = evidence_.shear->fit;
-  const std::string& from = evidence_.shear->file;
-  const auto held = [&](StrengthBound bound, double factor) {
+  const auto& [fit, from, summary] = *evidence_.shear;
+  const auto held = [&fit = fit](StrengthBound bound, double factor) {
     if (fit.bound != bound) return std::string();
     return "held at 0: the readings ask for " + Rounded(fit.free_value / factor, 4) +
            "; fitted again without";
@@ -129,7 +128,7 @@ void Identification::Shear() {
   SetFitted("shear", "friction_angle_deg", fit.friction_angle, from,
             held(StrengthBound::kNoFriction, 1 / kDegrees));
   SetFitted("shear", "modulus", fit.modulus, from, curves);
-  SourceOf("shear") = "least squares of shear tests, " + evidence_.shear->summary;
+  SourceOf("shear") = "least squares of shear tests, " + summary;
 }
 
 void Identification::Compaction() {

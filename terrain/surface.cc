@@ -43,10 +43,12 @@ bool SurfacePatch::Covers(double x, double y) const {
 }
 
 Surface::Surface(double spacing, SurfaceMode mode, UndisturbedHeight undisturbed)
-    : spacing_(spacing), mode_(mode), undisturbed_(std::move(undisturbed)) {}
+    : spacing_(spacing),
+      mode_(mode),
+      undisturbed_(std::make_shared<UndisturbedHeight>(std::move(undisturbed))) {}
 
 double Surface::Undisturbed(GridNode node) const {
-  return undisturbed_(node.i * spacing_, node.j * spacing_);
+  return (*undisturbed_)(node.i * spacing_, node.j * spacing_);
 }
 
 double Surface::Sinkage(const Tile& tile, int place) const {
@@ -92,17 +94,19 @@ void Surface::CopyPatch(double x_min, double x_max, double y_min, double y_max,
   patch->highest_ = *std::max_element(patch->height_.begin(), patch->height_.end());
 }
 
+Surface::Tile Surface::MakeTile(TileIndex index) const {
+  Tile tile;
+  for (int place = 0; place < kTileSide * kTileSide; ++place) {
+    tile.undisturbed[place] = Undisturbed(NodeAt(index, place));
+  }
+  tile.compaction.fill(0);
+  tile.plastic.fill(0);
+  return tile;
+}
+
 Surface::Tile& Surface::Touch(GridNode node) {
   const TileIndex index = TileOf(node);
-  return tiles_.Touch(index, [this, index] {
-    auto tile = std::make_unique<Tile>();
-    for (int place = 0; place < kTileSide * kTileSide; ++place) {
-      tile->undisturbed[place] = Undisturbed(NodeAt(index, place));
-    }
-    tile->compaction.fill(0);
-    tile->plastic.fill(0);
-    return tile;
-  });
+  return tiles_.Touch(index, [&] { return MakeTile(index); });
 }
 
 void Surface::SetCompaction(NodeSinkage compaction) {
@@ -135,6 +139,8 @@ double Surface::DisplacedVolume() const {
 
 std::size_t Surface::MemoryBytes() const { return tiles_.size() * sizeof(Tile); }
 
+std::size_t Surface::BytesCopied() const { return tiles_.copied() * sizeof(Tile); }
+
 void Surface::ForEachNode(const std::function<void(GridNode, double, double)>& visit) const {
   tiles_.ForEach([&](TileIndex index, const Tile& tile) {
     for (int place = 0; place < kTileSide * kTileSide; ++place) {
@@ -142,6 +148,23 @@ void Surface::ForEachNode(const std::function<void(GridNode, double, double)>& v
       visit(NodeAt(index, place), tile.undisturbed[place] - sinkage, sinkage);
     }
   });
+}
+
+void Surface::Write(StateWriter& writer) const {
+  tiles_.Write(writer, [](StateWriter& to, const Tile& tile) {
+    to.PutBytes(tile.compaction.data(), sizeof tile.compaction);
+    to.PutBytes(tile.plastic.data(), sizeof tile.plastic);
+  });
+}
+
+void Surface::Read(StateReader& reader) {
+  tiles_.Read(
+      reader, sizeof(Tile::compaction) + sizeof(Tile::plastic),
+      [this](TileIndex index) { return MakeTile(index); },
+      [](StateReader& from, Tile& tile) {
+        from.GetFinite(tile.compaction.data(), tile.compaction.size());
+        from.GetFinite(tile.plastic.data(), tile.plastic.size());
+      });
 }
 
 }  // namespace softsoil

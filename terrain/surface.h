@@ -3,6 +3,7 @@
 
 #include <array>
 #include <functional>
+#include <memory>
 #include <vector>
 
 #include "terrain/tile_map.h"
@@ -60,6 +61,7 @@ class SurfacePatch {
   std::vector<double> height_, sinkage_;
 };
 
+// Copies share what has not changed since.
 class Surface {
  public:
   // spacing [m] of the grid, > 0.
@@ -82,19 +84,25 @@ class Surface {
   double DisplacedVolume() const;  // [m^3]  part of it that is not compaction
   std::size_t MemoryBytes() const;
 
+  std::size_t BytesCopied() const;  // of tiles that had to be copied, being shared, so far
+
   // visit(GridNode, double height, double sinkage) for every node of every touched tile.
   void ForEachNode(const std::function<void(GridNode, double, double)>& visit) const;
+
+  void Write(StateWriter& writer) const;
+  void Read(StateReader& reader);  // throws InputError
 
  private:
   struct Tile {
     std::array<double, kTileSide * kTileSide> undisturbed, compaction, plastic;  // [m]
   };
+  Tile MakeTile(TileIndex index) const;
   Tile& Touch(GridNode node);
   double Sinkage(const Tile& tile, int place) const;
 
   double spacing_;
   SurfaceMode mode_;
-  UndisturbedHeight undisturbed_;
+  std::shared_ptr<const UndisturbedHeight> undisturbed_;
   TileMap<Tile> tiles_;
 };
 

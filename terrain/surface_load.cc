@@ -17,12 +17,24 @@ void LoadGatherer::Add(const SurfaceForce& force, double h) {
 }
 
 void LoadGatherer::AddAt(GridNode node, const Eigen::Vector3d& impulse_w) {
-  Tile& tile = impulses_.Touch(TileOf(node), [] {
-    auto empty = std::make_unique<Tile>();
-    empty->fill(Eigen::Vector3d::Zero());
-    return empty;
-  });
-  tile[PlaceInTile(node)] += impulse_w;
+  impulses_.Touch(TileOf(node), NoImpulse)[PlaceInTile(node)] += impulse_w;
+}
+
+LoadGatherer::Tile LoadGatherer::NoImpulse() {
+  Tile tile;
+  tile.fill(Eigen::Vector3d::Zero());
+  return tile;
+}
+
+void LoadGatherer::Write(StateWriter& writer) const {
+  impulses_.Write(writer,
+                  [](StateWriter& to, const Tile& tile) { to.PutBytes(tile.data(), sizeof tile); });
+}
+
+void LoadGatherer::Read(StateReader& reader) {
+  impulses_.Read(
+      reader, sizeof(Tile), [](TileIndex) { return NoImpulse(); },
+      [](StateReader& from, Tile& tile) { from.GetFinite(tile.front().data(), 3 * tile.size()); });
 }
 
 }  // namespace softsoil

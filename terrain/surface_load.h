@@ -50,8 +50,13 @@ class LoadGatherer {
     impulses_.Clear();
   }
 
+  std::size_t BytesCopied() const { return impulses_.copied() * sizeof(Tile); }
+  void Write(StateWriter& writer) const;
+  void Read(StateReader& reader);  // throws InputError
+
  private:
   using Tile = std::array<Eigen::Vector3d, kTileSide * kTileSide>;  // [N s]
+  static Tile NoImpulse();
   void AddAt(GridNode node, const Eigen::Vector3d& impulse_w);
 
   double spacing_;

@@ -1,10 +1,13 @@
-// Sparse storage over the grid: square tiles that are made when first touched.
+// Sparse storage over the grid: square tiles that are made when first touched, and shared by all
+// copies until one of them writes.
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <map>
-#include <memory>
-#include <utility>
+
+#include "terrain/cow.h"
+#include "terrain/state_stream.h"
 
 namespace softsoil {
 
@@ -18,6 +21,7 @@ struct GridNode {
 struct TileIndex {
   int i, j;
   bool operator<(const TileIndex& other) const { return i != other.i ? i < other.i : j < other.j; }
+  bool operator==(const TileIndex& other) const { return i == other.i && j == other.j; }
 };
 
 // Tile that a node lies in, and the node's place in it. Shifts and masks round down for negative
@@ -29,37 +33,103 @@ inline GridNode NodeAt(TileIndex tile, int place) {
 }
 static_assert(kTileSide == 16, "TileOf and PlaceInTile shift by 4 bits");
 
-// Tiles of any kind by index; always visited in the order of the index, so that sums over all
-// tiles have the same bits whatever the order in which the tiles were made.
+// Tiles of any kind by index; always visited in the order of their blocks and in these by index, so
+// that sums over all tiles have the same bits whatever the order in which the tiles were made.
+//
+// A copy costs one pointer. Who writes first copies the list of blocks, the block and the tile that
+// it writes to, and nothing else: what a step costs does not grow with the ground covered.
 template <class Tile>
 class TileMap {
  public:
   // Null where nothing has been touched.
   const Tile* Find(TileIndex index) const {
-    const auto it = tiles_.find(index);
-    return it == tiles_.end() ? nullptr : it->second.get();
+    const Cow<Tile>* slot = Slot(index);
+    return slot != nullptr ? slot->get() : nullptr;
   }
-  Tile* Find(TileIndex index) { return const_cast<Tile*>(std::as_const(*this).Find(index)); }
 
-  // The tile, made by `make()` -> std::unique_ptr<Tile> if it is not there.
+  // The tile to write to, made by `make()` -> Tile if it is not there. It is this map's alone, and
+  // stays where it is, until the map is copied.
   template <class Make>
   Tile& Touch(TileIndex index, const Make& make) {
-    auto it = tiles_.lower_bound(index);
-    if (it == tiles_.end() || index < it->first) it = tiles_.emplace_hint(it, index, make());
-    return *it->second;
+    if (!blocks_) blocks_ = Cow<Blocks>::Make();
+    Cow<Block>& block = blocks_.Own()[BlockOf(index)];
+    if (!block) block = Cow<Block>::Make();
+    Cow<Tile>& tile = block.Own()[PlaceInBlock(index)];
+    if (!tile) {
+      tile = Cow<Tile>::Make(make());
+      ++size_;
+    } else if (tile.IsShared()) {
+      ++copied_;
+    }
+    return tile.Own();
   }
 
-  // visit(TileIndex, Tile&)
+  // visit(TileIndex, const Tile&)
   template <class Visit>
   void ForEach(const Visit& visit) const {
-    for (const auto& [index, tile] : tiles_) visit(index, std::as_const(*tile));
+    if (!blocks_) return;
+    for (const auto& [at, block] : *blocks_) {
+      for (int place = 0; place < kTilesPerBlock; ++place) {
+        const Cow<Tile>& tile = (*block)[place];
+        const TileIndex index = {at.i * kBlockSide + place / kBlockSide,
+                                 at.j * kBlockSide + place % kBlockSide};
+        if (tile) visit(index, *tile);
+      }
+    }
   }
 
-  std::size_t size() const { return tiles_.size(); }
-  void Clear() { tiles_.clear(); }
+  std::size_t size() const { return size_; }
+  void Clear() {
+    blocks_ = {};
+    size_ = 0;
+  }
+
+  // Tiles that had to be copied since the map was made, because they were shared.
+  std::size_t copied() const { return copied_; }
+
+  // write_tile(writer, const Tile&)
+  template <class WriteTile>
+  void Write(StateWriter& writer, const WriteTile& write_tile) const {
+    writer.Put(static_cast<std::uint64_t>(size_));
+    ForEach([&](TileIndex index, const Tile& tile) {
+      writer.Put(index);
+      write_tile(writer, tile);
+    });
+  }
+
+  // As written, in place of what is there. make(TileIndex) -> Tile; read_tile(reader, Tile&).
+  // `bytes` is the least that a tile takes. Throws InputError.
+  template <class Make, class ReadTile>
+  void Read(StateReader& reader, std::size_t bytes, const Make& make, const ReadTile& read_tile) {
+    Clear();
+    for (std::uint64_t left = reader.Count(sizeof(TileIndex) + bytes); left > 0; --left) {
+      const auto index = reader.Get<TileIndex>();
+      reader.Require(index.i >= -kFarthestTile && index.i <= kFarthestTile &&
+                         index.j >= -kFarthestTile && index.j <= kFarthestTile && !Find(index),
+                     "an index of a tile");
+      read_tile(reader, Touch(index, [&] { return make(index); }));
+    }
+  }
 
  private:
-  std::map<TileIndex, std::unique_ptr<Tile>> tiles_;
+  static constexpr int kBlockSide = 16;  // tiles
+  static constexpr int kTilesPerBlock = kBlockSide * kBlockSide;
+  static constexpr int kFarthestTile = 1 << 26;  // its nodes still have 32 bits
+  using Block = std::array<Cow<Tile>, kTilesPerBlock>;
+  using Blocks = std::map<TileIndex, Cow<Block>>;
+
+  static TileIndex BlockOf(TileIndex index) { return {index.i >> 4, index.j >> 4}; }
+  static int PlaceInBlock(TileIndex index) { return (index.i & 15) * kBlockSide + (index.j & 15); }
+  static_assert(kBlockSide == 16, "BlockOf and PlaceInBlock shift by 4 bits");
+
+  const Cow<Tile>* Slot(TileIndex index) const {
+    if (!blocks_) return nullptr;
+    const auto block = blocks_->find(BlockOf(index));
+    return block != blocks_->end() ? &(*block->second)[PlaceInBlock(index)] : nullptr;
+  }
+
+  Cow<Blocks> blocks_;
+  std::size_t size_ = 0, copied_ = 0;
 };
 
 }  // namespace softsoil

@@ -12,7 +12,7 @@
 #include "plugin/cli/drawbar_table.h"
 #include "plugin/cli/in_parallel.h"
 #include "plugin/cli/mujoco_messages.h"
-#include "plugin/cli/output_file.h"
+#include "terrain/output_file.h"
 #include "plugin/cli/picture.h"
 #include "plugin/cli/result_folder.h"
 #include "plugin/cli/rigid_wheel.h"

@@ -9,7 +9,7 @@
 
 #include "plugin/cli/csv_cell.h"
 #include "plugin/cli/mujoco_messages.h"
-#include "plugin/cli/output_file.h"
+#include "terrain/output_file.h"
 #include "terrain/input_error.h"
 
 namespace softsoil {

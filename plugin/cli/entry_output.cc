@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
-#include "plugin/cli/output_file.h"
+#include "terrain/output_file.h"
 #include "plugin/cli/picture.h"
 #include "terrain/input_error.h"
 

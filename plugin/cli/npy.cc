@@ -1,6 +1,6 @@
 #include "plugin/cli/npy.h"
 
-#include "plugin/cli/output_file.h"
+#include "terrain/output_file.h"
 
 namespace softsoil {
 namespace {

@@ -8,7 +8,7 @@
 #include <cstring>
 #include <filesystem>
 
-#include "plugin/cli/output_file.h"
+#include "terrain/output_file.h"
 #include "terrain/input_error.h"
 
 namespace softsoil {

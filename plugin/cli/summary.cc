@@ -9,7 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "plugin/cli/mujoco_messages.h"
-#include "plugin/cli/output_file.h"
+#include "terrain/output_file.h"
 #include "plugin/cli/standard_output.h"
 
 namespace softsoil {

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "plugin/cli/output_file.h"
+#include "terrain/output_file.h"
 #include "plugin/softsoil.h"
 
 namespace softsoil {

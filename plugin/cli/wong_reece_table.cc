@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "plugin/cli/csv_cell.h"
-#include "plugin/cli/output_file.h"
+#include "terrain/output_file.h"
 #include "plugin/cli/standard_output.h"
 #include "terrain/constants.h"
 

@@ -22,7 +22,7 @@ void GiveFailingSoil(Simulation& sim, const bool* fails) {
     if (*fails) throw std::logic_error("the ground is gone");
     return 0.0;
   };
-  GiveSoil(sim.m.get(), sim.d.get(), std::move(plan));
+  GiveSoil(sim.m.get(), sim.d.get(), std::make_shared<SoilPlan>(std::move(plan)));
 }
 
 void RunUntilSoilFails(Simulation& sim) {

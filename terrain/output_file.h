@@ -27,6 +27,8 @@ class OutputFile {
   void Flush();
   // No call may follow.
   void Finish();
+  // Removes what was written so far. No call may follow.
+  void Discard();
 
   const std::string& path() const { return path_; }
 

@@ -1,4 +1,4 @@
-#include "plugin/cli/output_file.h"
+#include "terrain/output_file.h"
 
 #include <unistd.h>
 
@@ -54,6 +54,12 @@ void OutputFile::Finish() {
   file_ = nullptr;
   if (closed != 0) Fail("write");
   if (std::rename(part_.c_str(), path_.c_str()) != 0) Fail("rename");
+}
+
+void OutputFile::Discard() {
+  if (file_ != nullptr) std::fclose(file_);
+  file_ = nullptr;
+  std::remove(part_.c_str());
 }
 
 void OutputFile::Fail(const char* action) const {

@@ -1,0 +1,101 @@
+// The C interface: the soil as state.
+#include <cstring>
+#include <memory>
+#include <string>
+
+#include "plugin/fence.h"
+#include "plugin/host.h"
+#include "plugin/softsoil.h"
+#include "plugin/state_file.h"
+
+using softsoil::EntryOf;
+using softsoil::Fenced;
+using softsoil::ModelData;
+using softsoil::Require;
+using softsoil::SoilEntry;
+using softsoil::SoilOf;
+using softsoil::SoilState;
+
+struct softsoilSnapshot_ {
+  SoilState state;
+};
+
+namespace {
+
+void Load(const mjData* d, const char* path, const ModelData* data) {
+  Require(path, "path");
+  const std::shared_ptr<SoilEntry> entry = EntryOf(d);
+  const softsoil::SoilBinding& soil = *entry->soil;
+  RestoreSoil(const_cast<mjData*>(d),
+              LoadState(path, soil.soft_wheels(), soil.Undisturbed(), data));
+}
+
+}  // namespace
+
+extern "C" {
+
+int softsoil_copy(mjData* dst, const mjData* src) {
+  return Fenced([&] {
+    Require(dst, "dst");
+    const std::shared_ptr<SoilEntry> from = EntryOf(src);
+    if (dst == src) return;
+    const SoilState state = from->soil->State(src);
+    softsoil::GiveSoilIfNone(from->fingerprint.model, dst, state.plan);
+    softsoil::RestoreSoil(dst, state);
+  });
+}
+
+softsoilSnapshot* softsoil_snapshot(const mjData* d) {
+  softsoilSnapshot* snapshot = nullptr;
+  Fenced([&] { snapshot = new softsoilSnapshot{SoilOf(d)->State(d)}; });
+  return snapshot;
+}
+
+int softsoil_restore(mjData* d, const softsoilSnapshot* snapshot) {
+  return Fenced([&] {
+    Require(snapshot, "snapshot");
+    SoilOf(d);
+    softsoil::RestoreSoil(d, snapshot->state);
+  });
+}
+
+void softsoil_free_snapshot(softsoilSnapshot* snapshot) { delete snapshot; }
+
+int softsoil_save(const mjData* d, const char* path) {
+  return Fenced([&] {
+    Require(path, "path");
+    softsoil::SaveState(path, SoilOf(d)->State(d), nullptr);
+  });
+}
+
+int softsoil_load(mjData* d, const char* path) {
+  return Fenced([&] { Load(d, path, nullptr); });
+}
+
+int softsoil_save_simulation(const mjModel* m, const mjData* d, const char* path) {
+  return Fenced([&] {
+    Require(m, "mjModel");
+    Require(path, "path");
+    const ModelData data{m, const_cast<mjData*>(d)};
+    softsoil::SaveState(path, SoilOf(d)->State(d), &data);
+  });
+}
+
+int softsoil_load_simulation(const mjModel* m, mjData* d, const char* path) {
+  return Fenced([&] {
+    Require(m, "mjModel");
+    const ModelData data{m, d};
+    Load(d, path, &data);
+  });
+}
+
+int softsoil_hash(const mjData* d, uint64_t* hash) {
+  return Fenced([&] {
+    Require(hash, "hash");
+    softsoil::StateWriter writer;
+    Write(SoilOf(d)->State(d), writer);
+    *hash = writer.Finish();
+  });
+}
+
+}  // extern "C"

@@ -1,0 +1,35 @@
+#include "plugin/fence.h"
+
+#include <stdexcept>
+
+namespace softsoil {
+
+std::string& LastError() {
+  thread_local std::string message;
+  return message;
+}
+
+std::shared_ptr<SoilEntry> EntryOf(const mjData* d) {
+  Require(d, "mjData");
+  std::shared_ptr<SoilEntry> entry = Registry::Get().Find(d);
+  if (entry != nullptr && entry->soil != nullptr) return entry;
+  if (entry != nullptr && !entry->lost_because.empty()) {
+    throw std::runtime_error("this mjData has lost its soil: " + entry->lost_because);
+  }
+  throw InputError("this mjData has no soil: call softsoil_attach() first");
+}
+
+std::shared_ptr<SoilBinding> SoilOf(const mjData* d) {
+  const std::shared_ptr<SoilEntry> entry = EntryOf(d);
+  return {entry, entry->soil.get()};
+}
+
+std::shared_ptr<SoilBinding> RunningSoilOf(const mjData* d) {
+  const std::shared_ptr<SoilEntry> entry = EntryOf(d);
+  if (!entry->lost_because.empty()) {
+    throw std::runtime_error("this mjData has lost its soil: " + entry->lost_because);
+  }
+  return {entry, entry->soil.get()};
+}
+
+}  // namespace softsoil

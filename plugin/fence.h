@@ -1,0 +1,46 @@
+// The fence around the C interface: what is thrown inside becomes -1 and softsoil_error().
+#pragma once
+
+#include <mujoco/mujoco.h>
+
+#include <exception>
+#include <memory>
+#include <new>
+#include <string>
+
+#include "plugin/registry.h"
+#include "terrain/input_error.h"
+
+namespace softsoil {
+
+// Of the last call that failed on this thread.
+std::string& LastError();
+
+template <class Body>
+int Fenced(const Body& body) {
+  try {
+    LastError().clear();
+    body();
+    return 0;
+  } catch (const std::bad_alloc&) {
+    LastError() = "there is no memory for more soil";
+  } catch (const std::exception& error) {
+    LastError() = error.what();
+  } catch (...) {
+    LastError() = "unknown error";
+  }
+  return -1;
+}
+
+inline void Require(const void* argument, const char* name) {
+  if (argument == nullptr) throw InputError(std::string(name) + " must not be NULL");
+}
+
+// The entry of a mjData that has soil, also one that rests after a failure. Throws InputError.
+std::shared_ptr<SoilEntry> EntryOf(const mjData* d);
+// The soil in it; whoever holds the result keeps it alive.
+std::shared_ptr<SoilBinding> SoilOf(const mjData* d);
+// Throws std::runtime_error besides if the soil rests.
+std::shared_ptr<SoilBinding> RunningSoilOf(const mjData* d);
+
+}  // namespace softsoil

@@ -1,0 +1,19 @@
+// The state of a mjData as bytes: all that MuJoCo's future depends on. MuJoCo 2.2 has no function
+// for it.
+#pragma once
+
+#include <mujoco/mujoco.h>
+
+#include "terrain/state_stream.h"
+
+namespace softsoil {
+
+// Time, positions, velocities, activations, controls, applied forces, mocap poses, the user's data
+// and the warm start of the solver.
+void Write(const mjModel* m, const mjData* d, StateWriter& writer);
+
+// What Write() wrote, of a model with the same names and sizes. If it throws InputError the mjData
+// is as it was.
+void Read(StateReader& reader, const mjModel* m, mjData* d);
+
+}  // namespace softsoil

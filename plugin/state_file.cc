@@ -1,0 +1,120 @@
+#include "plugin/state_file.h"
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <filesystem>
+#include <memory>
+
+#include "plugin/mujoco_state.h"
+#include "plugin/soil_identity.h"
+#include "terrain/input_error.h"
+#include "terrain/output_file.h"
+
+namespace softsoil {
+namespace {
+
+constexpr std::array<char, 16> kMagic = {'s', 'o', 'f', 't', 's', 'o', 'i',  'l',
+                                         ' ', 's', 't', 'a', 't', 'e', '\n', '\x1a'};
+
+void Write(const SoilIdentity& identity, StateWriter& writer) {
+  writer.Put(static_cast<std::uint64_t>(identity.size()));
+  for (const auto& [name, value] : identity) {
+    writer.PutText(name);
+    writer.PutText(value);
+  }
+}
+
+SoilIdentity ReadIdentity(StateReader& reader) {
+  SoilIdentity identity(reader.Count(2 * sizeof(std::uint64_t)));
+  for (auto& [name, value] : identity) {
+    name = reader.GetText();
+    value = reader.GetText();
+  }
+  return identity;
+}
+
+std::vector<unsigned char> Bytes(const std::string& path) {
+  std::error_code error;
+  if (std::filesystem::is_directory(path, error)) throw InputError("is a folder");
+  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "rb"),
+                                                             &std::fclose);
+  if (file == nullptr) throw InputError(std::string("cannot read: ") + std::strerror(errno));
+  const auto size = std::filesystem::file_size(path, error);
+  if (error) throw InputError("cannot read: " + error.message());
+  std::vector<unsigned char> bytes(size);
+  if (std::fread(bytes.data(), 1, size, file.get()) != size) throw InputError("cannot read");
+  return bytes;
+}
+
+// The contents between the version and the checksum.
+StateReader Checked(const std::vector<unsigned char>& bytes) {
+  constexpr std::size_t kHead = kMagic.size() + sizeof(std::uint32_t);
+  constexpr std::size_t kTail = sizeof(std::uint64_t);
+  if (bytes.size() < kHead || !std::equal(kMagic.begin(), kMagic.end(), bytes.begin())) {
+    throw InputError("is no file of softsoil_save()");
+  }
+  std::uint32_t version = 0;
+  std::memcpy(&version, bytes.data() + kMagic.size(), sizeof version);
+  if (version != kStateFileVersion) {
+    throw InputError("has version " + std::to_string(version) + "; this softsoil reads version " +
+                     std::to_string(kStateFileVersion));
+  }
+  if (bytes.size() < kHead + kTail) throw InputError("is damaged: it ends too early");
+  StateWriter hash;
+  hash.PutBytes(bytes.data(), bytes.size() - kTail);
+  std::uint64_t checksum = 0;
+  std::memcpy(&checksum, bytes.data() + bytes.size() - kTail, kTail);
+  if (checksum != hash.Finish()) throw InputError("is damaged: its checksum is wrong");
+  return {bytes.data() + kHead, bytes.size() - kHead - kTail};
+}
+
+void Write(const SoilState& state, const ModelData* data, OutputFile& file) {
+  StateWriter writer([&](const void* bytes, std::size_t count) { file.Write(bytes, count); });
+  writer.PutBytes(kMagic.data(), kMagic.size());
+  writer.Put(kStateFileVersion);
+  Write(IdentityOf(*state.plan), writer);
+  softsoil::Write(state, writer);
+  writer.Put(data != nullptr);
+  if (data != nullptr) {
+    for (const OwnShare& share : state.shares) share.Write(writer);
+    Write(data->m, data->d, writer);
+  }
+  const std::uint64_t checksum = writer.Finish();
+  file.Write(&checksum, sizeof checksum);
+}
+
+}  // namespace
+
+void SaveState(const std::string& path, const SoilState& state, const ModelData* data) {
+  OutputFile file(path);
+  try {
+    Write(state, data, file);
+    file.Finish();
+  } catch (...) {
+    file.Discard();
+    throw;
+  }
+}
+
+SoilState ParseState(const std::vector<unsigned char>& bytes, const SoftWheels& wheels,
+                     const SoilState& undisturbed, const ModelData* data) {
+  StateReader reader = Checked(bytes);
+  RequireSame(ReadIdentity(reader), IdentityOf(*undisturbed.plan), "the state");
+  SoilState state = ReadSoilState(reader, wheels, undisturbed);
+  const bool has_data = reader.GetFlag();
+  if (data == nullptr) return state;
+  if (!has_data) throw InputError("holds the soil alone, not the state of the mjData");
+  for (OwnShare& share : state.shares) share.Read(reader);
+  Read(reader, data->m, data->d);
+  return state;
+}
+
+SoilState LoadState(const std::string& path, const SoftWheels& wheels, const SoilState& undisturbed,
+                    const ModelData* data) {
+  return At(path, [&] { return ParseState(Bytes(path), wheels, undisturbed, data); });
+}
+
+}  // namespace softsoil
