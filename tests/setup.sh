@@ -14,7 +14,7 @@ packages=(
   python3 python3-numpy python3-matplotlib
   xvfb xauth libegl1 libgl1-mesa-dri libosmesa6
 )
-sanitizer_packages=(clang libclang-rt-dev libomp-dev llvm)  # for the presets asan, tsan and fuzz
+sanitizer_packages=(clang libclang-rt-dev llvm)  # for the presets asan, tsan and fuzz
 
 missing_packages() {
   local package

@@ -8,11 +8,11 @@ cd "$(dirname "${BASH_SOURCE[0]}")/../.."
 
 name=$1
 new=build/fuzz/corpus/$name
-max_len=4096
-[[ $name != state ]] || max_len=65536  # a tile takes some kilobytes
+options=(-timeout=60 -rss_limit_mb=1024 -max_len=4096)
+[[ ! -f tests/fuzz/dictionary/$name.txt ]] || options+=("-dict=tests/fuzz/dictionary/$name.txt")
+[[ $name != state ]] || options+=(-max_len=64 -len_control=0)  # a dozen edits of a file
 mkdir -p "$new" build/fuzz/findings
 # Short stacks of allocations: to unwind at each of them takes most of the time.
 export ASAN_OPTIONS=malloc_context_size=2:quarantine_size_mb=16
-exec "build/fuzz/bin/${name}_fuzz" -timeout=60 -rss_limit_mb=1024 -max_len="$max_len" \
-  -dict="tests/fuzz/dictionary/$name.txt" -artifact_prefix=build/fuzz/findings/ -print_final_stats=1 \
+exec "build/fuzz/bin/${name}_fuzz" "${options[@]}" -artifact_prefix=build/fuzz/findings/ -print_final_stats=1 \
   "${@:2}" "$new" "tests/fuzz/corpus/$name"
