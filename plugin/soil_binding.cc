@@ -163,7 +163,7 @@ void SoilBinding::LeaveMark(const mjModel* m, mjData* d) {
 
 void SoilBinding::OnPassive(const mjModel* m, mjData* d) {
   FollowMark(m, d);
-  const StepEvent event = watch_.See(d->time, m->opt.timestep);
+  const StepEvent event = watch_.See(m, d);
   LetHistoryPass(event, d->time);
   try {
     Evaluate(m, d);
