@@ -25,7 +25,7 @@ struct SoilPlan {
   std::size_t model_content;  // ContentOf() the model
 };
 
-// Hash of the names and the <custom> elements of a model.
+// Hash of the names, the sizes and the <custom> elements of a model.
 std::size_t ContentOf(const mjModel* m);
 
 // Reads catalogues, finds wheels and ground, and says what was chosen and what looks wrong.
