@@ -265,13 +265,9 @@ void GiveSoil(const mjModel* m, mjData* d, std::shared_ptr<const SoilPlan> plan)
 void GiveSoilIfNone(const mjModel* m, const mjData* src, mjData* dst,
                     std::shared_ptr<const SoilPlan> plan) {
   const std::shared_ptr<SoilEntry> entry = Registry::Get().Find(dst);
-  const bool has_soil =
-      entry != nullptr && entry->soil != nullptr && entry->fingerprint.buffer == dst->buffer;
-  if (has_soil) return;
-  if (dst->nbuffer != src->nbuffer) {
-    throw InputError("the mjData are of different models, of " + std::to_string(src->nbuffer) +
-                     " and " + std::to_string(dst->nbuffer) + " bytes");
-  }
+  if (entry != nullptr && entry->soil != nullptr && entry->fingerprint.buffer == dst->buffer)
+    return;
+  if (dst->nbuffer != src->nbuffer) throw InputError("the mjData are of different models");
   PutEntry(m, dst, MakeSoil(std::move(plan), m));
 }
 

@@ -1,8 +1,7 @@
 // The soil's share of xfrc_applied in copies of a mjData: there once, beside the host's part.
 #include <gtest/gtest.h>
 
-#include <functional>
-#include <string>
+#include <ostream>
 #include <vector>
 
 #include "tests/plugin/compacting_wheel.h"
@@ -33,6 +32,8 @@ struct Case {
   Way copy;
   int nuserdata;
 };
+
+void PrintTo(const Case& copied, std::ostream* out) { *out << copied.name; }
 
 class CopiedForces : public testing::TestWithParam<Case> {
  protected:

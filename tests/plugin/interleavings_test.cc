@@ -2,118 +2,16 @@
 // stepped with the same controls since its reset.
 #include <gtest/gtest.h>
 
-#include <cstddef>
 #include <cstdio>
-#include <cstring>
-#include <map>
 #include <memory>
 #include <random>
 #include <string>
 #include <vector>
 
-#include "plugin/host.h"
-#include "tests/plugin/simulation.h"
+#include "tests/plugin/plain_runs.h"
 
 namespace softsoil {
 namespace {
-
-using Controls = std::vector<int>;  // by step
-using Numbers = std::vector<double>;
-
-// A wheel with two motors that is pressed into soil that compacts, on a coarse grid.
-std::string Mjcf(const std::string& integrator, bool sync, int nuserdata) {
-  OneWheel model;
-  model.wheel_geom = R"(type="cylinder" zaxis="0 1 0" size=".4 .05")";
-  model.timestep = "0.004";
-  model.option = "integrator=\"" + integrator + "\"";
-  model.custom = R"(<text name="softsoil_soil" data="upland_sandy_loam"/>
-                    <numeric name="softsoil_grid_spacing" data="0.1"/>
-                    <numeric name="softsoil_volume_height" data="0.1"/>
-                    <numeric name="softsoil_volumes" data="6"/>
-                    <numeric name="softsoil_threads" data="1"/>
-                    <numeric name="softsoil_sync" data=")" +
-                 std::to_string(sync) + R"("/>)";
-  model.others = "<size nuserdata=\"" + std::to_string(nuserdata) + R"("/>
-    <actuator><motor joint="spin"/><motor joint="along"/></actuator>)";
-  std::string mjcf = model.Mjcf();
-  mjcf.replace(mjcf.find("pos=\"0 0 .4\""), 12, "pos=\"0 0 .35\"");
-  mjcf.replace(mjcf.find("mass=\"190\""), 10, "mass=\"900\"");
-  const std::string joint = "<joint type=\"slide\" axis=\"1 0 0\"";
-  mjcf.replace(mjcf.find(joint), joint.size(), joint + " name=\"along\"");
-  return mjcf;
-}
-
-constexpr int kControls = 3;
-constexpr double kTorque[kControls] = {0, 300, -100};   // [N m]
-constexpr double kForce[kControls] = {4000, 0, -3000};  // [N]
-
-// What must be the same to the bit.
-struct Outcome {
-  Numbers numbers;  // motion, results of the wheel, heights
-  std::uint64_t hash = 0;
-  bool operator==(const Outcome& other) const {
-    return numbers == other.numbers && hash == other.hash;
-  }
-};
-
-// A model, its mjData on soil, and how plain runs on it end.
-class World {
- public:
-  explicit World(const std::string& mjcf)
-      : m(Load(mjcf)), plan_(std::make_shared<SoilPlan>(MakePlan(m.get(), SettingsOf(m.get())))) {
-    InstallCallbacks();
-  }
-
-  Data Make() const {
-    Data d = MakeData(m);
-    GiveSoil(m.get(), d.get(), plan_);
-    return d;
-  }
-
-  void Step(mjData* d, int control) const {
-    d->ctrl[0] = kTorque[control];
-    d->ctrl[1] = kForce[control];
-    mj_step(m.get(), d);
-  }
-
-  Outcome Ask(mjData* d) const {
-    mj_forward(m.get(), d);
-    Outcome outcome;
-    Numbers& numbers = outcome.numbers;
-    numbers.assign(d->qpos, d->qpos + m->nq);
-    numbers.insert(numbers.end(), d->qvel, d->qvel + m->nv);
-    softsoilWheel wheel = {};
-    EXPECT_EQ(softsoil_wheel(d, 0, &wheel), 0) << softsoil_error();
-    constexpr std::size_t kFirst = offsetof(softsoilWheel, load);  // numbers from here on
-    Numbers results((sizeof wheel - kFirst) / sizeof(double));
-    std::memcpy(results.data(), reinterpret_cast<const char*>(&wheel) + kFirst,
-                sizeof wheel - kFirst);
-    numbers.insert(numbers.end(), results.begin(), results.end());
-    for (double x = -0.6; x < 0.6; x += 0.07) {
-      double height = 1;
-      EXPECT_EQ(softsoil_height(d, x, 0.03, &height), 0) << softsoil_error();
-      numbers.push_back(height);
-    }
-    EXPECT_EQ(softsoil_hash(d, &outcome.hash), 0) << softsoil_error();
-    return outcome;
-  }
-
-  const Outcome& PlainRun(const Controls& controls) {
-    const auto [it, is_new] = plain_runs_.try_emplace(controls);
-    if (is_new) {
-      const Data d = Make();
-      for (const int control : controls) Step(d.get(), control);
-      it->second = Ask(d.get());
-    }
-    return it->second;
-  }
-
-  const Model m;
-
- private:
-  std::shared_ptr<const SoilPlan> plan_;
-  std::map<Controls, Outcome> plain_runs_;
-};
 
 struct FreeSnapshot {
   void operator()(softsoilSnapshot* snapshot) const { softsoil_free_snapshot(snapshot); }
@@ -124,10 +22,10 @@ enum class By { kApi, kMarks, kBoth };
 // Acts on three mjData at random.
 class Interleaving {
  public:
-  Interleaving(World* world, By by, unsigned seed)
-      : world_(*world), m_(world->m.get()), by_(by), random_(seed) {
-    for (Run& run : runs_) run.d = world_.Make();
-    for (Saved& saved : saved_) saved.d = MakeData(world_.m);
+  Interleaving(PlainRuns* plain, By by, unsigned seed)
+      : plain_(*plain), m_(plain->m.get()), by_(by), random_(seed) {
+    for (Run& run : runs_) run.d = plain_.Make();
+    for (Saved& saved : saved_) saved.d = MakeData(plain_.m);
   }
 
   void Act() {
@@ -186,7 +84,7 @@ class Interleaving {
     const int control = Below(kControls);
     for (int n = 1 + Below(4); n > 0; --n) {
       Note(run, "step");
-      world_.Step(run.d.get(), control);
+      plain_.Step(run.d.get(), control);
       run.controls.push_back(control);
     }
   }
@@ -252,10 +150,10 @@ class Interleaving {
 
   void Check(Run& run) {
     Note(run, "check");
-    EXPECT_TRUE(world_.Ask(run.d.get()) == world_.PlainRun(run.controls)) << "run " << &run - runs_;
+    EXPECT_TRUE(plain_.Ask(run.d.get()) == plain_.Run(run.controls)) << "run " << &run - runs_;
   }
 
-  World& world_;
+  PlainRuns& plain_;
   const mjModel* m_;
   const By by_;
   std::mt19937 random_;
@@ -265,8 +163,8 @@ class Interleaving {
 };
 
 // Returns whether all went well.
-bool HoldsFor(World* world, By by, unsigned seed) {
-  Interleaving interleaving(world, by, seed);
+bool HoldsFor(PlainRuns* plain, By by, unsigned seed) {
+  Interleaving interleaving(plain, by, seed);
   for (unsigned i = 0; i < 20 + seed % 21; ++i) {
     interleaving.Act();
     if (testing::Test::HasFailure()) break;
@@ -282,9 +180,9 @@ void ExpectPlainRuns(By by, unsigned first_seed, unsigned count) {
   unsigned seed = first_seed;
   for (const char* integrator : {"Euler", "RK4"}) {
     for (const bool sync : {false, true}) {
-      World world(Mjcf(integrator, sync, nuserdata));
+      PlainRuns plain(TwoMotors(integrator, sync, nuserdata));
       for (unsigned i = 0; i < count / 4; ++i) {
-        if (!HoldsFor(&world, by, seed++)) return;
+        if (!HoldsFor(&plain, by, seed++)) return;
       }
     }
   }
@@ -297,15 +195,15 @@ TEST(Interleavings, WithMarksAreAsPlainRuns) { ExpectPlainRuns(By::kMarks, 1000,
 TEST(Interleavings, WithMarksAndTheApiAreAsPlainRuns) { ExpectPlainRuns(By::kBoth, 2000, 200); }
 
 TEST(Interleavings, HaveARutAndAForceToCompare) {
-  World world(Mjcf("Euler", true, 0));
-  const Data d = world.Make();
-  for (int i = 0; i < 40; ++i) world.Step(d.get(), i % kControls);
+  PlainRuns plain(TwoMotors("Euler", true, 0));
+  const Data d = plain.Make();
+  for (int i = 0; i < 40; ++i) plain.Step(d.get(), i % kControls);
   softsoilGround ground = {};
   ASSERT_EQ(softsoil_ground(d.get(), &ground), 0) << softsoil_error();
   EXPECT_GT(ground.rut_volume, 1e-4);
   EXPECT_LT(ground.displaced_volume, 0.99 * ground.rut_volume) << "part of it is compaction";
-  EXPECT_NE(world.PlainRun({0, 1}).numbers, world.PlainRun({1, 0}).numbers);
-  EXPECT_NE(world.PlainRun({0, 1}).hash, world.PlainRun({1, 0}).hash);
+  EXPECT_NE(plain.Run({0, 1}).numbers, plain.Run({1, 0}).numbers);
+  EXPECT_NE(plain.Run({0, 1}).hash, plain.Run({1, 0}).hash);
 }
 
 }  // namespace

@@ -4,7 +4,6 @@
 #include <cstdio>
 #include <memory>
 #include <string>
-#include <thread>
 #include <utility>
 
 #include "plugin/registry.h"
@@ -194,6 +193,34 @@ TEST(MjDataWithoutMark, IsNotFollowedByTheSoil) {
   mj_forward(b.m.get(), b.d.get());
   EXPECT_LT(a.Height(), -0.005);
   EXPECT_EQ(b.Height(), 0);
+}
+
+TEST(Snapshot, OutlivesTheMjDataAndIsNotUsedUp) {
+  Simulation a(CompactingWheel()), b(CompactingWheel());
+  Step(a, 50);
+  const Data saved = CopyOf(a);
+  softsoilSnapshot* snapshot = softsoil_snapshot(a.d.get());
+  a.d.reset();
+  for (int i = 0; i < 2; ++i) {
+    mj_copyData(b.d.get(), b.m.get(), saved.get());
+    ASSERT_EQ(softsoil_restore(b.d.get(), snapshot), 0) << softsoil_error();
+    EXPECT_TRUE(After(30, b) == PlainRun(CompactingWheel(), 80));
+  }
+  softsoil_free_snapshot(snapshot);
+  a.d = MakeData(a.m);
+}
+
+TEST(SoftsoilLoad, TakesTheSoilAloneFromAFileWithBoth) {
+  const std::string path = testing::TempDir() + "softsoil_soil_alone";
+  Simulation a(CompactingWheel()), b(CompactingWheel());
+  Step(a, 50);
+  ASSERT_EQ(softsoil_save_simulation(a.m.get(), a.d.get(), path.c_str()), 0) << softsoil_error();
+  ASSERT_EQ(softsoil_load(b.d.get(), path.c_str()), 0) << softsoil_error();
+  std::remove(path.c_str());
+  EXPECT_EQ(b.d->time, 0);
+  EXPECT_EQ(Hash(b.d.get()), Hash(a.d.get()));
+  mj_copyData(b.d.get(), b.m.get(), a.d.get());
+  EXPECT_EQ(After(30, b).motion, After(30, a).motion);
 }
 
 TEST(SoilOfACopiedModel, IsCopiedWithTheApi) {
