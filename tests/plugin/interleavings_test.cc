@@ -1,6 +1,7 @@
 // Whatever a host does with several mjData, each goes on to the bit as a mjData that has only
 // stepped with the same controls since its reset.
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <cstdio>
 #include <memory>
@@ -119,7 +120,8 @@ class Interleaving {
   void ThroughFile(Run& to, const Run& from) {
     if (by_ == By::kMarks || Below(3) > 0) return;
     Note(to, "file");
-    const std::string path = testing::TempDir() + "softsoil_interleavings";
+    const std::string path =
+        testing::TempDir() + "softsoil_interleavings_" + std::to_string(getpid());
     EXPECT_EQ(softsoil_save_simulation(m_, from.d.get(), path.c_str()), 0) << softsoil_error();
     EXPECT_EQ(softsoil_load_simulation(m_, to.d.get(), path.c_str()), 0) << softsoil_error();
     std::remove(path.c_str());

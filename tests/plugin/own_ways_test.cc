@@ -1,5 +1,6 @@
 // MuJoCo's own ways to copy, restore and reset a mjData, of which softsoil is not told.
 #include <gmock/gmock.h>
+#include <unistd.h>
 
 #include <cstdio>
 #include <memory>
@@ -176,7 +177,7 @@ TEST(MarkedMjData, IsFollowedByQuestionsBeforeTheNextStep) {
 }
 
 TEST(MarkedMjData, IsSavedAsItIsAfterMjCopyData) {
-  const std::string path = testing::TempDir() + "softsoil_own_ways";
+  const std::string path = testing::TempDir() + "softsoil_own_ways_" + std::to_string(getpid());
   Simulation a(Marked()), b(Marked()), c(Marked());
   Step(a, 60);
   mj_copyData(b.d.get(), b.m.get(), a.d.get());
@@ -211,7 +212,7 @@ TEST(Snapshot, OutlivesTheMjDataAndIsNotUsedUp) {
 }
 
 TEST(SoftsoilLoad, TakesTheSoilAloneFromAFileWithBoth) {
-  const std::string path = testing::TempDir() + "softsoil_soil_alone";
+  const std::string path = testing::TempDir() + "softsoil_soil_alone_" + std::to_string(getpid());
   Simulation a(CompactingWheel()), b(CompactingWheel());
   Step(a, 50);
   ASSERT_EQ(softsoil_save_simulation(a.m.get(), a.d.get(), path.c_str()), 0) << softsoil_error();
