@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include "terrain/worker_pool.h"
+
 namespace softsoil {
 namespace {
 
@@ -62,9 +64,11 @@ SurfaceLoad Ground::TakeLoad(double period) {
 }
 
 void Ground::Start(SurfaceLoad load, double period) {
-  auto job = std::make_shared<Job>(Job{std::move(columns_), std::move(load), period});
-  job_ = job;
-  auto advance = [job]() mutable {
+  WorkerPool& pool = WorkerPool::Shared();
+  const auto job = std::make_shared<Job>();
+  job->load = std::move(load);
+  job->period = period;
+  auto advance = [job = job]() mutable {
     try {
       job->result = job->columns.Advance(job->load, job->period);
     } catch (...) {
@@ -73,7 +77,14 @@ void Ground::Start(SurfaceLoad load, double period) {
     job->load = {};  // copies of the ground may hold the job for long
     job = nullptr;   // and job_done_ holds this function: tiles would count as shared
   };
-  job_done_ = WorkerPool::Shared().Run(std::move(advance)).share();
+  job->columns = std::move(columns_);
+  try {
+    job_done_ = pool.Run(std::move(advance)).share();
+  } catch (...) {
+    columns_ = std::move(job->columns);
+    throw;
+  }
+  job_ = job;
 }
 
 void Ground::Join() {
@@ -152,7 +163,10 @@ void Ground::Read(StateReader& reader) {
   if (!reader.GetFlag()) return;
   const double period = reader.GetFinite();
   reader.Require(period > 0, "a soil period");
-  job_ = std::make_shared<Job>(Job{std::move(columns_), {}, period, ReadPeriodResult(reader)});
+  job_ = std::make_shared<Job>();
+  job_->period = period;
+  job_->result = ReadPeriodResult(reader);
+  job_->columns = std::move(columns_);
   std::promise<void> done;
   job_done_ = done.get_future().share();
   done.set_value();
