@@ -147,8 +147,13 @@ SOFTSOIL_API int softsoil_visit_surface(const mjData* d, softsoilVisitor visit, 
 // A model with <size nuserdata="2"/> or more needs none of this: the last two numbers of userdata
 // hold a mark of the soil state, and a mjData that is copied, restored or reset by whatever means
 // finds its soil by itself at the next step. `softsoil_history` [MB] says how many past states are
-// kept; a state that is no longer held is an error. Without the mark, mj_resetData and any other
-// way back in time make the ground undisturbed, and what mj_copyData copies is not the soil.
+// kept for each mjData, those that were asked for last; a state that is no longer held is an error.
+// A HMMWV on a 2.5 cm grid with a step of 1 ms takes 0.1 to 0.15 MB per step, so that the default
+// of 100 MB reaches back 0.7 s or more; heavy compaction takes more. For a longer way back keep a
+// snapshot, which takes no more than what has changed since.
+//
+// Without the mark, mj_resetData and any other way back in time make the ground undisturbed, and
+// what mj_copyData copies is not the soil.
 
 // Gives `dst` the state of the soil of `src`, a mjData of the same model. It gets a soil if it has
 // none.

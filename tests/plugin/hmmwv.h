@@ -15,7 +15,7 @@ namespace softsoil {
 
 // With the first its wheels leave ruts without compacting a column; with the second, on stiff
 // tires, columns compact.
-constexpr const char* kSoils[] = {"soil=tilled_yolo_loam", "soil=upland_sandy_loam tire=auto"};
+constexpr const char* kSoils[] = {"soil=tilled_yolo_loam", "soil=lete_sand tire=auto"};
 
 inline void RequireSuccess(int result) {
   if (result == 0) return;
