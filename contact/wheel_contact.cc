@@ -143,10 +143,13 @@ void WheelContact::Commit(const PatchForces& forces) {
 }
 
 SlipMemory WheelContact::Slip() const {
+  const auto has_slipped = [](const Mobilisation& m) {
+    return m.t != 0 || m.b != 0 || m.slip != 0;
+  };
   SlipMemory slip;
+  slip.reserve(std::count_if(mobilisation_.begin(), mobilisation_.end(), has_slipped));
   for (std::size_t i = 0; i < mobilisation_.size(); ++i) {
-    const Mobilisation& m = mobilisation_[i];
-    if (m.t != 0 || m.b != 0 || m.slip != 0) slip.push_back({static_cast<int>(i), m});
+    if (has_slipped(mobilisation_[i])) slip.push_back({static_cast<int>(i), mobilisation_[i]});
   }
   return slip;
 }

@@ -38,7 +38,7 @@ void RequireWheel(const SoilBinding& soil, int wheel) {
                    std::to_string(wheel));
 }
 
-softsoilWheel WheelResult(const SoilBinding& soil, int wheel) {
+softsoilWheel WheelResult(SoilBinding& soil, int wheel) {
   const softsoil::Wheel& known = soil.plan().wheels[wheel];
   const softsoil::TirePose& pose = soil.pose(wheel);
   const softsoil::PatchForces& forces = soil.forces(wheel);

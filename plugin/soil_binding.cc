@@ -53,11 +53,12 @@ WrenchRow RowOf(const Wrench& wrench) {
   return {f.x(), f.y(), f.z(), t.x(), t.y(), t.z()};
 }
 
-// What a state in the history takes besides tiles.
-std::size_t BytesBesideTiles(const SoilState& state) {
-  std::size_t bytes = sizeof state;
+// What a state in the history takes besides what it shares with the one before.
+std::size_t OwnBytes(const SoilState& state) {
+  std::size_t bytes = sizeof state + state.wheels.ground.OwnBytes();
   for (const SlipMemory& slip : *state.wheels.slip) bytes += slip.size() * sizeof slip.front();
-  return bytes;
+  return bytes + state.pending.poses.size() * sizeof(TirePose) +
+         state.shares.size() * sizeof(OwnShare);
 }
 
 }  // namespace
@@ -89,15 +90,17 @@ void SoilBinding::SetPending(const PendingEvaluation& pending) {
   is_pending_ = !pending.poses.empty();
   pending_.poses = is_pending_ ? pending.poses : std::vector<TirePose>(shares_.size(), AtRest());
   pending_.h = pending.h;
+  for (PatchForces& forces : pending_.forces) forces = PatchForces{};
+  has_forces_ = !is_pending_;
   latest_ = &pending_;
+}
+
+void SoilBinding::CompletePending() {
+  if (has_forces_) return;
   for (int wheel = 0; wheel < soft_wheels_.size(); ++wheel) {
-    PatchForces& forces = pending_.forces[wheel];
-    if (is_pending_) {
-      soft_wheels_.Evaluate(wheel, pending_.poses[wheel], pending_.h, &forces);
-    } else {
-      forces = PatchForces{};
-    }
+    soft_wheels_.Evaluate(wheel, pending_.poses[wheel], pending_.h, &pending_.forces[wheel]);
   }
+  has_forces_ = true;
 }
 
 SoilState SoilBinding::State(const mjData* d) const {
@@ -164,7 +167,7 @@ void SoilBinding::LeaveMark(mjData* d) {
   soft_wheels_.ShareSlip();
   SoilState state = State(d);
   const std::size_t copied = soft_wheels_.ground().BytesCopied();
-  history_->Add(&state, copied - std::exchange(bytes_copied_, copied) + BytesBesideTiles(state));
+  history_->Add(&state, copied - std::exchange(bytes_copied_, copied) + OwnBytes(state));
   mark_ = other_mark_ = state.mark;
   PutMark(mark_, nuserdata_, d);
 }
@@ -188,7 +191,7 @@ void SoilBinding::OnPassive(const mjModel* m, mjData* d) {
   if (event != StepEvent::kTrial) {
     std::swap(now_, pending_);
     latest_ = &pending_;
-    is_pending_ = true;
+    is_pending_ = has_forces_ = true;
   }
   LeaveMark(d);
 }
@@ -220,11 +223,13 @@ void SoilBinding::LetHistoryPass(StepEvent event, double time) {
 }
 
 void SoilBinding::ForgetSlip() {
+  CompletePending();  // its results still can be asked for
   soft_wheels_.ForgetSlip();
   is_pending_ = false;
 }
 
 void SoilBinding::Commit() {
+  CompletePending();
   soft_wheels_.Commit(pending_.poses, pending_.forces, pending_.h);
   is_pending_ = false;
   if (warned_of_depth_ || !soft_wheels_.ground().LowestVolumeYields()) return;

@@ -58,7 +58,10 @@ class SoilBinding {
 
   // Of the last evaluation, trials included.
   const TirePose& pose(int wheel) const { return latest_->poses[wheel]; }
-  const PatchForces& forces(int wheel) const { return latest_->forces[wheel]; }
+  const PatchForces& forces(int wheel) {
+    if (latest_ == &pending_) CompletePending();
+    return latest_->forces[wheel];
+  }
 
  private:
   struct Evaluation {
@@ -69,6 +72,7 @@ class SoilBinding {
 
   void StartAfresh();
   void SetPending(const PendingEvaluation& pending);
+  void CompletePending();
   void ForgetSlip();
   double* Row(mjData* d, std::size_t wheel) const {
     return d->xfrc_applied + 6 * plan_->wheels[wheel].body;
@@ -93,6 +97,7 @@ class SoilBinding {
   // for now, and the pending one, which is history as soon as its time step is known as accepted.
   Evaluation now_, pending_;
   bool is_pending_ = false;
+  bool has_forces_ = true;    // the pending one; if restored, only once they are asked for
   bool is_restored_ = false;  // no question since
   bool warned_of_depth_ = false;
   const Evaluation* latest_ = &pending_;

@@ -29,8 +29,7 @@ PeriodResult ReadPeriodResult(StateReader& reader) {
   result.compaction.resize(reader.Count(sizeof(GridNode) + sizeof(double)));
   for (NodeSinkage& c : result.compaction) {
     c.node = reader.Get<GridNode>();
-    reader.Require(std::abs(c.node.i) <= kFarthestNode && std::abs(c.node.j) <= kFarthestNode,
-                   "a node of the ground");
+    reader.Require(IsOnGrid(TileOf(c.node)), "a node of the ground");
     c.sinkage = reader.GetFinite();
   }
   result.energy.resize(reader.Count(sizeof(double)));
@@ -76,10 +75,12 @@ Columns::Columns(const Soil& soil, const ColumnSettings& settings, UndisturbedHe
 PeriodResult Columns::Advance(const SurfaceLoad& load, double period) {
   // All that may fail comes first.
   const std::vector<Visit> visits = ColumnsToVisit(load);
-  std::vector<Tile*> tiles;
-  for (const Visit& visit : visits) tiles.push_back(&Touch(visit.tile));
+  for (const Visit& visit : visits) {
+    if (tiles_.Find(visit.tile) == nullptr) Touch(visit.tile);
+  }
   std::vector<float> stress;
   model_->stress_field->VerticalStress(Geometry(visits, load), load, &stress);
+  const std::vector<Tile*> tiles = TilesToWrite(visits, stress);
   PeriodResult result;
   result.compaction.reserve(visits.size());
   for (const Visit& visit : visits) {
@@ -93,11 +94,13 @@ PeriodResult Columns::Advance(const SurfaceLoad& load, double period) {
   const int volumes = model_->settings.volumes;
   for (std::size_t i = 0; i < visits.size(); ++i) {
     const Visit& visit = visits[i];
-    Tile& tile = *tiles[i];
-    const double energy = Compact(tile, visit.place, &stress[i * volumes], period);
-    if (visit.source >= 0) result.energy[visit.source] += energy;
+    const Tile& tile = *tiles_.Find(visit.tile);
+    if (tiles[i] != nullptr) {
+      const double energy = Compact(*tiles[i], visit.place, &stress[i * volumes], period);
+      if (visit.source >= 0) result.energy[visit.source] += energy;
+    }
     result.compaction.push_back({NodeAt(visit.tile, visit.place), Sinkage(tile, visit.place)});
-    if (!tile.IsOpen(visit.place, volumes)) continue;
+    if (tiles[i] == nullptr || !tile.IsOpen(visit.place, volumes)) continue;
     if (open_tiles.empty() || !(open_tiles.back() == visit.tile)) open_tiles.push_back(visit.tile);
     const std::size_t lowest = std::size_t(visit.place + 1) * volumes - 1;
     if (tile.peak_density[lowest] > 0) result.lowest_volume_yields = true;
@@ -164,6 +167,22 @@ ColumnBatch Columns::Geometry(const std::vector<Visit>& visits, const SurfaceLoa
   return batch;
 }
 
+std::vector<Columns::Tile*> Columns::TilesToWrite(const std::vector<Visit>& visits,
+                                                  const std::vector<float>& stress) {
+  const int volumes = model_->settings.volumes;
+  std::vector<Tile*> tiles;
+  for (std::size_t i = 0; i < visits.size(); ++i) {
+    const Tile& tile = *tiles_.Find(visits[i].tile);
+    bool changes = false;
+    for (int k = 0; k < volumes && !changes; ++k) {
+      const std::size_t index = std::size_t(visits[i].place) * volumes + k;
+      changes = CanChange(tile.Load(index), stress[i * volumes + k]);
+    }
+    tiles.push_back(changes ? &Touch(visits[i].tile) : nullptr);
+  }
+  return tiles;
+}
+
 double Columns::Compact(Tile& tile, int place, const float* stress, double period) const {
   const double area = model_->settings.spacing * model_->settings.spacing;
   double energy = 0;
@@ -216,7 +235,7 @@ std::size_t Columns::VolumeBytes() const { return volume_count() * kVolumeBytes;
 
 std::size_t Columns::BytesCopied() const {
   const std::size_t volumes = std::size_t(kColumnsPerTile) * model_->settings.volumes;
-  return tiles_.copied() * (sizeof(Tile) + volumes * kVolumeBytes);
+  return tiles_.copied() * (sizeof(Tile) + volumes * kVolumeBytes) + tiles_.bytes_copied_beside();
 }
 
 void Columns::Write(StateWriter& writer) const {

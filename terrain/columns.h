@@ -46,7 +46,7 @@ class Columns {
   std::size_t MemoryBytes() const;
   std::size_t VolumeBytes() const;  // part of it that grows with the number of volumes
 
-  std::size_t BytesCopied() const;  // of tiles that had to be copied, being shared, so far
+  std::size_t BytesCopied() const;  // that had to be copied, being shared, so far
 
   void Write(StateWriter& writer) const;
   void Read(StateReader& reader);  // throws InputError
@@ -87,6 +87,10 @@ class Columns {
 
   std::vector<Visit> ColumnsToVisit(const SurfaceLoad& load) const;
   ColumnBatch Geometry(const std::vector<Visit>& visits, const SurfaceLoad& load) const;
+  // By visit the tile to write to; null where the column stays as it is, so that its tile may stay
+  // shared.
+  std::vector<Tile*> TilesToWrite(const std::vector<Visit>& visits,
+                                  const std::vector<float>& stress);
   // Returns the compaction energy [J].
   double Compact(Tile& tile, int place, const float* stress, double period) const;
   double Sinkage(const Tile& tile, int place) const;

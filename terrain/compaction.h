@@ -82,6 +82,11 @@ SOFTSOIL_HD inline void EndCycle(const Compaction& soil, Hardening hardening, So
 // Rebound [kg/m^3] that may still be due when the cycle of an unloaded volume is closed.
 constexpr double kReboundDue = 1e-3;
 
+// Whether a vertical stress [Pa] can change the volume.
+SOFTSOIL_HD inline bool CanChange(const SoilVolume& volume, double stress) {
+  return CycleIsOpen(volume) || stress > volume.preconsolidation_stress;
+}
+
 // Holds the vertical stress [Pa] (compression positive) on the volume for the time h [s].
 //
 // Above the preconsolidation stress it compacts towards the virgin curve (3.7); once the stress is
@@ -91,7 +96,7 @@ constexpr double kReboundDue = 1e-3;
 // end of the cycle at the first instant without stress (line 26) do not.
 SOFTSOIL_HD inline void Advance(const Compaction& soil, double stress, double h, SoilVolume& volume,
                                 Hardening hardening = Hardening::kVirginCurve) {
-  if (!CycleIsOpen(volume) && stress <= volume.preconsolidation_stress) return;
+  if (!CanChange(volume, stress)) return;
   const double target = stress > 0 ? TargetDensity(soil, volume, stress) : 0.0;
   const bool as_table = hardening == Hardening::kThesisTable;
   if (target > volume.density) {

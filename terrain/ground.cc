@@ -70,16 +70,18 @@ void Ground::Start(SurfaceLoad load, double period) {
   const auto job = std::make_shared<Job>();
   job->load = std::move(load);
   job->period = period;
-  const auto advance = [job] {
+  auto advance = [job = job]() mutable {
     try {
       job->result = job->columns.Advance(job->load, job->period);
     } catch (...) {
       job->failure = std::current_exception();
     }
+    job->load = {};  // copies of the ground may hold the job for long
+    job = nullptr;   // and job_done_ holds this function: tiles would count as shared
   };
   job->columns = std::move(columns_);
   try {
-    job_done_ = pool.Run(advance).share();
+    job_done_ = pool.Run(std::move(advance)).share();
   } catch (...) {
     columns_ = std::move(job->columns);
     throw;
@@ -124,10 +126,12 @@ std::size_t Ground::ColumnBytes() const {
 
 std::size_t Ground::VolumeBytes() const { return LatestColumns().VolumeBytes(); }
 
-std::size_t Ground::BytesCopied() const {
-  std::size_t bytes = surface_.BytesCopied() + column_bytes_copied_;
-  for (const LoadGatherer& gatherer : gatherers_) bytes += gatherer.BytesCopied();
-  return bytes;
+std::size_t Ground::BytesCopied() const { return surface_.BytesCopied() + column_bytes_copied_; }
+
+std::size_t Ground::OwnBytes() const {
+  std::size_t bytes = 0;
+  for (const LoadGatherer& gatherer : gatherers_) bytes += sizeof gatherer + gatherer.MemoryBytes();
+  return bytes + work_.size() * sizeof work_.front();
 }
 
 void Ground::Write(StateWriter& writer) const {

@@ -71,8 +71,9 @@ class Ground {
   std::size_t VolumeBytes() const;  // part of it that grows with the number of volumes
 
   // Bytes of soil that had to be copied so far because other copies shared them; of the columns as
-  // of the last job that was awaited.
+  // of the last job that was awaited. And what no copy shares, but for the columns.
   std::size_t BytesCopied() const;
+  std::size_t OwnBytes() const;
 
   // All that the future depends on. Write() waits for the job in flight and throws what it threw.
   // Read() is for a ground as just made; it throws InputError, and then the ground is of no use.

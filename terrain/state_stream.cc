@@ -22,15 +22,16 @@ std::uint64_t Mixed(std::uint64_t hash, std::uint64_t word) {
 
 void StateHash::Add(const void* bytes, std::size_t count) {
   const auto* next = static_cast<const unsigned char*>(bytes);
-  for (std::size_t left = count; left > 0;) {
-    std::uint64_t word = 0;
-    const std::size_t size = std::min(left, sizeof word);
-    std::memcpy(&word, next, size);
+  const std::size_t rest = count % sizeof(std::uint64_t);
+  std::uint64_t word = 0;
+  for (const auto* const end = next + (count - rest); next != end; next += sizeof word) {
+    std::memcpy(&word, next, sizeof word);
     value_ = Mixed(value_, word);
-    next += size;
-    left -= size;
   }
-  if (count % sizeof(std::uint64_t) != 0) value_ = Mixed(value_, count);
+  if (rest == 0) return;
+  word = 0;
+  std::memcpy(&word, next, rest);
+  value_ = Mixed(Mixed(value_, word), count);
 }
 
 void StateWriter::PutText(const std::string& text) {

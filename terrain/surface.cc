@@ -52,15 +52,15 @@ double Surface::Undisturbed(GridNode node) const {
 }
 
 double Surface::Sinkage(const Tile& tile, int place) const {
-  return mode_ == SurfaceMode::kFlow ? std::max(tile.compaction[place], tile.plastic[place])
-                                     : tile.compaction[place];
+  const double compaction = (*tile.compaction)[place];
+  return mode_ == SurfaceMode::kFlow ? std::max(compaction, (*tile.plastic)[place]) : compaction;
 }
 
 double Surface::NodeHeight(GridNode node) const {
   const Tile* tile = tiles_.Find(TileOf(node));
   if (tile == nullptr) return Undisturbed(node);
   const int place = PlaceInTile(node);
-  return tile->undisturbed[place] - Sinkage(*tile, place);
+  return (*tile->undisturbed)[place] - Sinkage(*tile, place);
 }
 
 double Surface::Height(double x, double y) const {
@@ -87,7 +87,7 @@ void Surface::CopyPatch(double x_min, double x_max, double y_min, double y_max,
       if (b == 0 || (node.j & (kTileSide - 1)) == 0) tile = tiles_.Find(TileOf(node));
       const int place = PlaceInTile(node);
       patch->sinkage_[k] = tile != nullptr ? Sinkage(*tile, place) : 0.0;
-      const double undisturbed = tile != nullptr ? tile->undisturbed[place] : Undisturbed(node);
+      const double undisturbed = tile != nullptr ? (*tile->undisturbed)[place] : Undisturbed(node);
       patch->height_[k] = undisturbed - patch->sinkage_[k];
     }
   }
@@ -95,27 +95,33 @@ void Surface::CopyPatch(double x_min, double x_max, double y_min, double y_max,
 }
 
 Surface::Tile Surface::MakeTile(TileIndex index) const {
-  Tile tile;
+  Heights undisturbed;
   for (int place = 0; place < kTileSide * kTileSide; ++place) {
-    tile.undisturbed[place] = Undisturbed(NodeAt(index, place));
+    undisturbed[place] = Undisturbed(NodeAt(index, place));
   }
-  tile.compaction.fill(0);
-  tile.plastic.fill(0);
-  return tile;
+  return {Cow<Heights>::Make(undisturbed), Cow<Heights>::Make(Heights{}),
+          Cow<Heights>::Make(Heights{})};
 }
 
-Surface::Tile& Surface::Touch(GridNode node) {
+double& Surface::Touch(Cow<Heights> Tile::*part, GridNode node) {
   const TileIndex index = TileOf(node);
-  return tiles_.Touch(index, [&] { return MakeTile(index); });
+  Cow<Heights>& heights = tiles_.Touch(index, [&] { return MakeTile(index); }).*part;
+  if (heights.IsShared()) ++heights_copied_;
+  return heights.Own()[PlaceInTile(node)];
 }
 
 void Surface::SetCompaction(NodeSinkage compaction) {
-  Touch(compaction.node).compaction[PlaceInTile(compaction.node)] = compaction.sinkage;
+  const Tile* tile = tiles_.Find(TileOf(compaction.node));
+  const int place = PlaceInTile(compaction.node);
+  if (tile != nullptr && (*tile->compaction)[place] == compaction.sinkage) return;
+  Touch(&Tile::compaction, compaction.node) = compaction.sinkage;
 }
 
 void Surface::DeepenPlastic(NodeSinkage plastic) {
   if (mode_ != SurfaceMode::kFlow) return;
-  double& sinkage = Touch(plastic.node).plastic[PlaceInTile(plastic.node)];
+  const Tile* tile = tiles_.Find(TileOf(plastic.node));
+  if (tile != nullptr && (*tile->plastic)[PlaceInTile(plastic.node)] >= plastic.sinkage) return;
+  double& sinkage = Touch(&Tile::plastic, plastic.node);
   sinkage = std::max(sinkage, plastic.sinkage);
 }
 
@@ -131,39 +137,45 @@ double Surface::DisplacedVolume() const {
   double depth = 0;
   tiles_.ForEach([&](TileIndex, const Tile& tile) {
     for (int place = 0; place < kTileSide * kTileSide; ++place) {
-      depth += Sinkage(tile, place) - tile.compaction[place];
+      depth += Sinkage(tile, place) - (*tile.compaction)[place];
     }
   });
   return depth * spacing_ * spacing_;
 }
 
-std::size_t Surface::MemoryBytes() const { return tiles_.size() * sizeof(Tile); }
+std::size_t Surface::MemoryBytes() const {
+  return tiles_.size() * (sizeof(Tile) + 3 * sizeof(Heights));
+}
 
-std::size_t Surface::BytesCopied() const { return tiles_.copied() * sizeof(Tile); }
+std::size_t Surface::BytesCopied() const {
+  return tiles_.copied() * sizeof(Tile) + tiles_.bytes_copied_beside() +
+         heights_copied_ * sizeof(Heights);
+}
 
 void Surface::ForEachNode(const std::function<void(GridNode, double, double)>& visit) const {
   tiles_.ForEach([&](TileIndex index, const Tile& tile) {
     for (int place = 0; place < kTileSide * kTileSide; ++place) {
       const double sinkage = Sinkage(tile, place);
-      visit(NodeAt(index, place), tile.undisturbed[place] - sinkage, sinkage);
+      visit(NodeAt(index, place), (*tile.undisturbed)[place] - sinkage, sinkage);
     }
   });
 }
 
 void Surface::Write(StateWriter& writer) const {
   tiles_.Write(writer, [](StateWriter& to, const Tile& tile) {
-    to.PutBytes(tile.compaction.data(), sizeof tile.compaction);
-    to.PutBytes(tile.plastic.data(), sizeof tile.plastic);
+    to.PutBytes(tile.compaction->data(), sizeof(Heights));
+    to.PutBytes(tile.plastic->data(), sizeof(Heights));
   });
 }
 
 void Surface::Read(StateReader& reader) {
   tiles_.Read(
-      reader, sizeof(Tile::compaction) + sizeof(Tile::plastic),
-      [this](TileIndex index) { return MakeTile(index); },
+      reader, 2 * sizeof(Heights), [this](TileIndex index) { return MakeTile(index); },
       [](StateReader& from, Tile& tile) {
-        from.GetFinite(tile.compaction.data(), tile.compaction.size());
-        from.GetFinite(tile.plastic.data(), tile.plastic.size());
+        for (Cow<Heights>* part : {&tile.compaction, &tile.plastic}) {
+          Heights& heights = part->Own();
+          from.GetFinite(heights.data(), heights.size());
+        }
       });
 }
 

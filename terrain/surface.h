@@ -84,7 +84,7 @@ class Surface {
   double DisplacedVolume() const;  // [m^3]  part of it that is not compaction
   std::size_t MemoryBytes() const;
 
-  std::size_t BytesCopied() const;  // of tiles that had to be copied, being shared, so far
+  std::size_t BytesCopied() const;  // that had to be copied, being shared, so far
 
   // visit(GridNode, double height, double sinkage) for every node of every touched tile.
   void ForEachNode(const std::function<void(GridNode, double, double)>& visit) const;
@@ -93,17 +93,21 @@ class Surface {
   void Read(StateReader& reader);  // throws InputError
 
  private:
+  using Heights = std::array<double, kTileSide * kTileSide>;  // [m]
+  // Each part is shared by itself: a step writes to few.
   struct Tile {
-    std::array<double, kTileSide * kTileSide> undisturbed, compaction, plastic;  // [m]
+    Cow<Heights> undisturbed, compaction, plastic;
   };
   Tile MakeTile(TileIndex index) const;
-  Tile& Touch(GridNode node);
+  // Where a node is written to.
+  double& Touch(Cow<Heights> Tile::*part, GridNode node);
   double Sinkage(const Tile& tile, int place) const;
 
   double spacing_;
   SurfaceMode mode_;
   std::shared_ptr<const UndisturbedHeight> undisturbed_;
   TileMap<Tile> tiles_;
+  std::size_t heights_copied_ = 0;
 };
 
 }  // namespace softsoil

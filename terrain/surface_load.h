@@ -39,29 +39,43 @@ class LoadGatherer {
   // Appends the mean over `period` [s] to `load` and starts anew. `height(GridNode)` [m].
   template <class Height>
   void TakeMean(int source, double period, const Height& height, SurfaceLoad* load) {
-    impulses_.ForEach([&](TileIndex index, const Tile& tile) {
-      for (int place = 0; place < kTileSide * kTileSide; ++place) {
-        if (tile[place].isZero(0)) continue;
-        const GridNode node = NodeAt(index, place);
-        load->push_back({node, node.i * spacing_, node.j * spacing_, height(node),
-                         tile[place] / period, source});
-      }
-    });
-    impulses_.Clear();
+    for (const auto& [node, impulse_w] : InOrder()) {
+      if (impulse_w.isZero(0)) continue;
+      load->push_back(
+          {node, node.i * spacing_, node.j * spacing_, height(node), impulse_w / period, source});
+    }
+    impulses_.clear();
+    places_ = {};
   }
 
-  std::size_t BytesCopied() const { return impulses_.copied() * sizeof(Tile); }
+  std::size_t MemoryBytes() const { return impulses_.size() * sizeof(Impulse); }
   void Write(StateWriter& writer) const;
   // Throws InputError, also if an impulse [N s] at a node exceeds `most`.
   void Read(StateReader& reader, double most);
 
  private:
-  using Tile = std::array<Eigen::Vector3d, kTileSide * kTileSide>;  // [N s]
-  static Tile NoImpulse();
-  void AddAt(GridNode node, const Eigen::Vector3d& impulse_w);
+  struct Impulse {
+    GridNode node;
+    Eigen::Vector3d impulse_w;  // [N s]
+  };
+  // Where in impulses_ a node stands, -1 if it does not. A copy has none: it is made when it is
+  // needed, for most copies are never added to.
+  struct Places {
+    Places() = default;
+    Places(const Places&) {}
+    Places& operator=(const Places&) {
+      map.Clear();
+      return *this;
+    }
+    TileMap<std::array<int, kTileSide * kTileSide>> map;
+  };
+  std::vector<Impulse> InOrder() const;
+  Eigen::Vector3d& At(GridNode node);
+  int& PlaceOf(GridNode node);
 
   double spacing_;
-  TileMap<Tile> impulses_;
+  std::vector<Impulse> impulses_;  // in the order in which their nodes were touched
+  Places places_;
 };
 
 }  // namespace softsoil

@@ -2,9 +2,13 @@
 // copies until one of them writes.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
-#include <map>
+#include <cstdlib>
+#include <tuple>
+#include <utility>
+#include <vector>
 
 #include "terrain/cow.h"
 #include "terrain/state_stream.h"
@@ -12,9 +16,6 @@
 namespace softsoil {
 
 constexpr int kTileSide = 16;  // grid nodes along the side of a tile
-
-// Nodes that a state may have: their numbers have 32 bits.
-constexpr int kFarthestNode = 1 << 30;
 
 // A node of the square grid: x = i dx, y = j dx.
 struct GridNode {
@@ -36,6 +37,21 @@ inline GridNode NodeAt(TileIndex tile, int place) {
 }
 static_assert(kTileSide == 16, "TileOf and PlaceInTile shift by 4 bits");
 
+// Whether the tile map visits one node before another: by block of 16 x 16 tiles, tile and node.
+inline bool IsVisitedBefore(GridNode a, GridNode b) {
+  const auto order = [](const GridNode& n) {
+    return std::make_tuple(n.i >> 8, n.j >> 8, n.i >> 4, n.j >> 4, n.i, n.j);
+  };
+  return order(a) < order(b);
+}
+
+// Tiles at most so far from the origin; their nodes still have 32 bits.
+constexpr int kFarthestTile = 1 << 26;
+inline bool IsOnGrid(TileIndex index) {
+  return std::max(std::abs(static_cast<long>(index.i)), std::abs(static_cast<long>(index.j))) <=
+         kFarthestTile;
+}
+
 // Tiles of any kind by index; always visited in the order of their blocks and in these by index, so
 // that sums over all tiles have the same bits whatever the order in which the tiles were made.
 //
@@ -54,10 +70,7 @@ class TileMap {
   // stays where it is, until the map is copied.
   template <class Make>
   Tile& Touch(TileIndex index, const Make& make) {
-    if (!blocks_) blocks_ = Cow<Blocks>::Make();
-    Cow<Block>& block = blocks_.Own()[BlockOf(index)];
-    if (!block) block = Cow<Block>::Make();
-    Cow<Tile>& tile = block.Own()[PlaceInBlock(index)];
+    Cow<Tile>& tile = OwnBlock(BlockOf(index))[PlaceInBlock(index)];
     if (!tile) {
       tile = Cow<Tile>::Make(make());
       ++size_;
@@ -87,8 +100,9 @@ class TileMap {
     size_ = 0;
   }
 
-  // Tiles that had to be copied since the map was made, because they were shared.
+  // What had to be copied since the map was made, because it was shared: tiles, and bytes beside.
   std::size_t copied() const { return copied_; }
+  std::size_t bytes_copied_beside() const { return bytes_copied_beside_; }
 
   // write_tile(writer, const Tile&)
   template <class WriteTile>
@@ -107,9 +121,7 @@ class TileMap {
     Clear();
     for (std::uint64_t left = reader.Count(sizeof(TileIndex) + bytes); left > 0; --left) {
       const auto index = reader.Get<TileIndex>();
-      reader.Require(index.i >= -kFarthestTile && index.i <= kFarthestTile &&
-                         index.j >= -kFarthestTile && index.j <= kFarthestTile && !Find(index),
-                     "an index of a tile");
+      reader.Require(IsOnGrid(index) && !Find(index), "an index of a tile");
       read_tile(reader, Touch(index, [&] { return make(index); }));
     }
   }
@@ -117,9 +129,8 @@ class TileMap {
  private:
   static constexpr int kBlockSide = 16;  // tiles
   static constexpr int kTilesPerBlock = kBlockSide * kBlockSide;
-  static constexpr int kFarthestTile = kFarthestNode / kTileSide;
   using Block = std::array<Cow<Tile>, kTilesPerBlock>;
-  using Blocks = std::map<TileIndex, Cow<Block>>;
+  using Blocks = std::vector<std::pair<TileIndex, Cow<Block>>>;  // by index
 
   static TileIndex BlockOf(TileIndex index) { return {index.i >> 4, index.j >> 4}; }
   static int PlaceInBlock(TileIndex index) { return (index.i & 15) * kBlockSide + (index.j & 15); }
@@ -127,12 +138,33 @@ class TileMap {
 
   const Cow<Tile>* Slot(TileIndex index) const {
     if (!blocks_) return nullptr;
-    const auto block = blocks_->find(BlockOf(index));
-    return block != blocks_->end() ? &(*block->second)[PlaceInBlock(index)] : nullptr;
+    const TileIndex at = BlockOf(index);
+    const auto block = PlaceOf(at, *blocks_);
+    if (block == blocks_->end() || !(block->first == at)) return nullptr;
+    return &(*block->second)[PlaceInBlock(index)];
+  }
+
+  Block& OwnBlock(TileIndex at) {
+    if (!blocks_) blocks_ = Cow<Blocks>::Make();
+    if (blocks_.IsShared()) bytes_copied_beside_ += blocks_->size() * sizeof(blocks_->front());
+    Blocks& blocks = blocks_.Own();
+    auto block = PlaceOf(at, blocks);
+    if (block == blocks.end() || !(block->first == at)) {
+      block = blocks.insert(block, {at, Cow<Block>::Make()});
+    }
+    if (block->second.IsShared()) bytes_copied_beside_ += sizeof(Block);
+    return block->second.Own();
+  }
+
+  // Where a block stands, or would.
+  template <class SomeBlocks>
+  static auto PlaceOf(TileIndex at, SomeBlocks& blocks) {
+    return std::lower_bound(blocks.begin(), blocks.end(), at,
+                            [](const auto& block, TileIndex other) { return block.first < other; });
   }
 
   Cow<Blocks> blocks_;
-  std::size_t size_ = 0, copied_ = 0;
+  std::size_t size_ = 0, copied_ = 0, bytes_copied_beside_ = 0;
 };
 
 }  // namespace softsoil

@@ -98,6 +98,15 @@ TEST_P(GroundState, IsRefusedIfCutOff) {
   }
 }
 
+TEST_P(GroundState, CopiesNoSoilWhileThereIsNoCopy) {
+  Ground ground = Undisturbed(GetParam());
+  Drive(ground, 0, 300);
+  EXPECT_EQ(ground.BytesCopied(), 0u);
+  const Ground copy = ground;
+  Drive(ground, 300, 100);
+  EXPECT_GT(ground.BytesCopied(), 0u);
+}
+
 INSTANTIATE_TEST_SUITE_P(InBackgroundAndSync, GroundState, testing::Bool());
 
 // A stress field that fails as soon as it is told to.
@@ -139,6 +148,31 @@ TEST(ColumnsState, StaysAsItWasWhenTheStressFieldThrows) {
   plain.Advance(load, 0.01);
   EXPECT_EQ(densities(failing), densities(plain));
   EXPECT_GT(densities(plain)[3], 1200);
+}
+
+TEST(ColumnsState, StaysSharedWhereNothingChanges) {
+  Columns columns = FlatColumns({0.05, 0.05, 12});
+  const SurfaceLoad weak = LoadOf({{0, 0}, 0.15, 50e3}, 0.05);
+  const SurfaceLoad strong = LoadOf({{0, 0}, 0.15, 250e3}, 0.05);
+  columns.Advance(weak, 0.01);
+  const Columns copy = columns;
+  EXPECT_FALSE(columns.Advance(weak, 0.01).compaction.empty());
+  EXPECT_EQ(columns.BytesCopied(), 0u);
+  columns.Advance(strong, 0.01);
+  EXPECT_GT(columns.BytesCopied(), 0u);
+}
+
+TEST(SurfaceState, StaysSharedWhereNothingChanges) {
+  Surface surface(0.05, SurfaceMode::kFlow, FlatGround);
+  surface.DeepenPlastic({{1, 2}, 0.03});
+  surface.SetCompaction({{1, 2}, 0.01});
+  const Surface copy = surface;
+  surface.DeepenPlastic({{1, 2}, 0.02});
+  surface.SetCompaction({{1, 2}, 0.01});
+  EXPECT_EQ(surface.BytesCopied(), 0u);
+  surface.DeepenPlastic({{1, 2}, 0.04});
+  EXPECT_GT(surface.BytesCopied(), 0u);
+  EXPECT_EQ(copy.NodeHeight({1, 2}), -0.03);
 }
 
 }  // namespace

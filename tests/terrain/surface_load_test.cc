@@ -2,7 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <random>
+#include <stdexcept>
 
 namespace softsoil {
 namespace {
@@ -108,6 +110,54 @@ TEST(SurfaceLoad, StartsAnewAfterEveryPeriod) {
   gatherer.Add({{0, 0, 0}, {0, 0, -100}}, 0.01);
   EXPECT_EQ(Mean(gatherer, 0.01).size(), 1u);
   EXPECT_TRUE(Mean(gatherer, 0.01).empty());
+}
+
+std::vector<unsigned char> Written(const LoadGatherer& gatherer) {
+  std::vector<unsigned char> bytes;
+  StateWriter writer([&](const void* data, std::size_t count) {
+    const auto* first = static_cast<const unsigned char*>(data);
+    bytes.insert(bytes.end(), first, first + count);
+  });
+  gatherer.Write(writer);
+  writer.Finish();
+  return bytes;
+}
+
+TEST(SurfaceLoad, GoesOnAlikeInACopyAndWhenWrittenAndRead) {
+  const std::vector<SurfaceForce> forces = RandomForces(300);
+  LoadGatherer plain(kDx);
+  for (int i = 0; i < 150; ++i) plain.Add(forces[i], 0.01);
+  LoadGatherer copy = plain, read(kDx);
+  const std::vector<unsigned char> bytes = Written(plain);
+  StateReader reader(bytes.data(), bytes.size());
+  read.Read(reader);
+  EXPECT_EQ(Written(read), bytes);
+  for (LoadGatherer* gatherer : {&plain, &copy, &read}) {
+    for (int i = 150; i < 300; ++i) gatherer->Add(forces[i], 0.01);
+  }
+  EXPECT_GT(Written(plain).size(), bytes.size());
+  EXPECT_EQ(Written(copy), Written(plain));
+  EXPECT_EQ(Written(read), Written(plain));
+}
+
+// So that sums over a load have the same bits.
+TEST(SurfaceLoad, IsInTheSameOrderHoweverItCameAbout) {
+  LoadGatherer forward(kDx), backward(kDx);
+  for (int k = -399; k <= 399; k += 7) {
+    forward.Add({{k * kDx, -k % 50 * kDx, 0}, {0, 0, -100}}, 0.01);
+    backward.Add({{-k * kDx, k % 50 * kDx, 0}, {0, 0, -100}}, 0.01);
+  }
+  EXPECT_EQ(Written(forward), Written(backward));
+}
+
+TEST(SurfaceLoad, IsRefusedWithANodeTwice) {
+  LoadGatherer gatherer(kDx), read(kDx);
+  gatherer.Add({{0.5 * kDx, 0, 0}, {0, 0, -100}}, 0.01);
+  std::vector<unsigned char> bytes = Written(gatherer);
+  const std::size_t node = sizeof(std::uint64_t), next = node + sizeof(GridNode) + 24;
+  std::copy_n(&bytes[node], sizeof(GridNode), &bytes[next]);
+  StateReader reader(bytes.data(), bytes.size());
+  EXPECT_THROW(read.Read(reader), std::runtime_error);
 }
 
 }  // namespace
