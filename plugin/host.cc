@@ -260,7 +260,7 @@ void GiveSoilIfNone(const mjModel* m, mjData* d, std::shared_ptr<const SoilPlan>
   const std::shared_ptr<SoilEntry> entry = Registry::Get().Find(d);
   const bool has_soil =
       entry != nullptr && entry->soil != nullptr && entry->fingerprint.buffer == d->buffer;
-  if (!has_soil) GiveSoil(m, d, std::move(plan));
+  if (!has_soil) PutEntry(m, d, MakeSoil(std::move(plan), m));
 }
 
 void ResetSoil(const mjModel* m, mjData* d) {
