@@ -80,7 +80,9 @@ void Write(const SoilState& state, const ModelData* data, OutputFile& file) {
   writer.Put(data != nullptr);
   if (data != nullptr) {
     for (const OwnShare& share : state.shares) share.Write(writer);
-    Write(data->m, data->d, writer);
+    // A mark names nothing in another process.
+    const bool is_marked = HasRoomForMark(data->m) && state.plan->history > 0;
+    Write(data->m, data->d, is_marked ? kMarkSize : 0, writer);
   }
   const std::uint64_t checksum = writer.Finish();
   file.Write(&checksum, sizeof checksum);
