@@ -46,6 +46,11 @@ class InAFolder(unittest.TestCase):
         path.write_text(text)
         return path
 
+    def assertSaysOneThing(self, done):
+        """Besides which soil is under which wheels."""
+        lines = [line for line in done.stderr.splitlines() if " under the wheels " not in line]
+        self.assertEqual(len(lines), 1, done.stderr)
+
     def assertFails(self, done, code, *sentences):
         self.assertEqual(done.returncode, code, done.stderr)
         for sentence in sentences:
