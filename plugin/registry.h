@@ -3,6 +3,8 @@
 
 #include <mujoco/mujoco.h>
 
+#include <atomic>
+#include <cstdint>
 #include <map>
 #include <memory>
 #include <mutex>
@@ -31,7 +33,8 @@ struct SoilEntry {
   std::string lost_because;           // why it goes without; what soil there is rests; else empty
 };
 
-// For all threads. An entry is used by the thread that steps its mjData, without any lock.
+// For all threads. An entry is used by the thread that steps its mjData, without any lock; each
+// thread remembers what it found last, until entries are put or erased.
 class Registry {
  public:
   // Never destroyed: a host may step until the very end of the process.
@@ -45,8 +48,11 @@ class Registry {
   std::shared_ptr<SoilEntry> Erase(const void* d);
 
  private:
+  Registry() = default;  // the one: what threads remember does not tell registries apart
+
   mutable std::mutex mutex_;
   std::map<const void*, std::shared_ptr<SoilEntry>> entries_;
+  std::atomic<std::uint64_t> changes_{0};  // of entries_; written with the mutex held
 };
 
 }  // namespace softsoil

@@ -163,12 +163,12 @@ void SoilBinding::LeaveMark(const mjModel* m, mjData* d) {
 
 void SoilBinding::OnPassive(const mjModel* m, mjData* d) {
   FollowMark(m, d);
-  const StepEvent event = watch_.See(d->time, m->opt.timestep);
+  const StepEvent event = watch_.See(m, d);
   LetHistoryPass(event, d->time);
   try {
     Evaluate(m, d);
   } catch (const std::runtime_error& error) {
-    is_pending_ = false;
+    if (event != StepEvent::kTrial) is_pending_ = false;
     latest_ = &pending_;
     RemoveForces(d);
     LeaveMark(m, d);

@@ -74,6 +74,8 @@ SoilIdentity IdentityOf(const SoilPlan& plan) {
   IdentityList list;
   AddSoil(plan.soil, &list);
   AddGround(plan, &list);
+  list.Add("nq", plan.nq);
+  list.Add("nv", plan.nv);
   list.Add("number of wheels", plan.wheels.size());
   for (std::size_t i = 0; i < plan.wheels.size(); ++i) {
     AddWheel(plan.wheels[i], plan.tires[i], &list);

@@ -121,6 +121,8 @@ SoilPlan MakePlan(const mjModel* m, const Settings& settings) {
   plan.remove_rigid_contact = settings.remove_rigid_contact;
   plan.history = static_cast<std::size_t>(settings.history * kMegabyte);
   plan.model_content = ContentOf(m);
+  plan.nq = m->nq;
+  plan.nv = m->nv;
   SayWheels(plan, !settings.wheels.empty());
   WarnOfRigidContact(m, plan);
   WarnOfTimeStep(m, plan);

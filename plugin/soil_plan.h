@@ -23,6 +23,7 @@ struct SoilPlan {
   bool remove_rigid_contact;
   std::size_t history;        // [bytes]  for past states
   std::size_t model_content;  // ContentOf() the model
+  int nq, nv;                 // of the model
 };
 
 // Hash of the names and the <custom> elements of a model.

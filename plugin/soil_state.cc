@@ -38,7 +38,7 @@ SoilState ReadSoilState(StateReader& reader, const SoftWheels& wheels,
                         const SoilState& undisturbed) {
   SoilState state = undisturbed;
   state.wheels = wheels.ReadState(reader);
-  state.watch.Read(reader);
+  state.watch.Read(reader, state.plan->nq, state.plan->nv);
   const bool is_pending = reader.GetFlag();
   state.pending.poses.clear();
   for (int i = 0; is_pending && i < wheels.size(); ++i) {

@@ -71,12 +71,14 @@ StateReader Checked(const std::vector<unsigned char>& bytes) {
   return {bytes.data() + kHead, bytes.size() - kHead - kTail};
 }
 
-void Write(const SoilState& state, const ModelData* data, OutputFile& file) {
-  StateWriter writer([&](const void* bytes, std::size_t count) { file.Write(bytes, count); });
+}  // namespace
+
+void WriteState(const SoilState& state, const ModelData* data, const StateWriter::Sink& sink) {
+  StateWriter writer(sink);
   writer.PutBytes(kMagic.data(), kMagic.size());
   writer.Put(kStateFileVersion);
   Write(IdentityOf(*state.plan), writer);
-  softsoil::Write(state, writer);
+  Write(state, writer);
   writer.Put(data != nullptr);
   if (data != nullptr) {
     for (const OwnShare& share : state.shares) share.Write(writer);
@@ -85,15 +87,13 @@ void Write(const SoilState& state, const ModelData* data, OutputFile& file) {
     Write(data->m, data->d, is_marked ? kMarkSize : 0, writer);
   }
   const std::uint64_t checksum = writer.Finish();
-  file.Write(&checksum, sizeof checksum);
+  sink(&checksum, sizeof checksum);
 }
-
-}  // namespace
 
 void SaveState(const std::string& path, const SoilState& state, const ModelData* data) {
   OutputFile file(path);
   try {
-    Write(state, data, file);
+    WriteState(state, data, [&](const void* bytes, std::size_t n) { file.Write(bytes, n); });
     file.Finish();
   } catch (...) {
     file.Discard();

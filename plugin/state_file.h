@@ -30,7 +30,8 @@ void SaveState(const std::string& path, const SoilState& state, const ModelData*
 SoilState LoadState(const std::string& path, const SoftWheels& wheels, const SoilState& undisturbed,
                     const ModelData* data);
 
-// The same from the bytes of a file.
+// The same to and from the bytes of a file.
+void WriteState(const SoilState& state, const ModelData* data, const StateWriter::Sink& sink);
 SoilState ParseState(const std::vector<unsigned char>& bytes, const SoftWheels& wheels,
                      const SoilState& undisturbed, const ModelData* data);
 

@@ -30,6 +30,7 @@ PeriodResult ReadPeriodResult(StateReader& reader);  // throws InputError
 // Copies share what has not changed since.
 class Columns {
  public:
+  Columns() = default;  // below no ground; to be assigned to
   Columns(const Soil& soil, const ColumnSettings& settings, UndisturbedHeight undisturbed,
           std::unique_ptr<StressField> stress_field);
 

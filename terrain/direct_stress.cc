@@ -5,6 +5,7 @@
 
 #include "terrain/point_load.h"
 #include "terrain/stress_field.h"
+#include "terrain/worker_pool.h"
 
 // Where the processor has AVX2 the inner loop uses it. Every lane is a volume with a sum of its
 // own, so the bits do not depend on the width.
@@ -107,6 +108,7 @@ SOFTSOIL_SIMD void SumForces(const Law& law, const ForceOnColumn* forces, int co
   Lanes sum{}, flag{};
   for (int i = 0; i < count; ++i) {
     const ForceOnColumn force = forces[i];
+#pragma omp simd
     for (int lane = 0; lane < kLanes; ++lane) {
       const float depth = force.z - z.value[lane];
       const Ray<float> ray = RayTo(force.r2, depth);
@@ -133,10 +135,9 @@ class DirectStress : public StressField {
                       std::vector<float>* stress) const override {
     stress->assign(batch.columns() * batch.volumes, 0.0f);
     const int columns = static_cast<int>(batch.columns());
-#pragma omp parallel for schedule(dynamic, 8) num_threads(threads_)
-    for (int column = 0; column < columns; ++column) {
+    WorkerPool::Shared().ForEach(columns, threads_, [&](int column) {
       StressOfColumn(batch, load, column, &(*stress)[std::size_t(column) * batch.volumes]);
-    }
+    });
   }
 
  private:

@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include "terrain/worker_pool.h"
+
 namespace softsoil {
 namespace {
 
@@ -62,8 +64,10 @@ SurfaceLoad Ground::TakeLoad(double period) {
 }
 
 void Ground::Start(SurfaceLoad load, double period) {
-  auto job = std::make_shared<Job>(Job{std::move(columns_), std::move(load), period});
-  job_ = job;
+  WorkerPool& pool = WorkerPool::Shared();
+  const auto job = std::make_shared<Job>();
+  job->load = std::move(load);
+  job->period = period;
   const auto advance = [job] {
     try {
       job->result = job->columns.Advance(job->load, job->period);
@@ -71,7 +75,14 @@ void Ground::Start(SurfaceLoad load, double period) {
       job->failure = std::current_exception();
     }
   };
-  job_done_ = WorkerPool::Shared().Run(advance).share();
+  job->columns = std::move(columns_);
+  try {
+    job_done_ = pool.Run(advance).share();
+  } catch (...) {
+    columns_ = std::move(job->columns);
+    throw;
+  }
+  job_ = job;
 }
 
 void Ground::Join() {
@@ -148,7 +159,10 @@ void Ground::Read(StateReader& reader) {
   if (!reader.GetFlag()) return;
   const double period = reader.GetFinite();
   reader.Require(period > 0, "a soil period");
-  job_ = std::make_shared<Job>(Job{std::move(columns_), {}, period, ReadPeriodResult(reader)});
+  job_ = std::make_shared<Job>();
+  job_->period = period;
+  job_->result = ReadPeriodResult(reader);
+  job_->columns = std::move(columns_);
   std::promise<void> done;
   job_done_ = done.get_future().share();
   done.set_value();

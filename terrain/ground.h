@@ -27,9 +27,9 @@ struct GroundSettings {
   double volume_height = 0.025;  // [m]
   int volumes = 30;              // [-]  per column
   double soil_clock = 0.01;      // [s]  simulated time between soil updates
-  bool sync = false;             // update in place at the tick, instead of in the background
+  bool sync = false;             // wait for the update at the tick, instead of one tick later
   SurfaceMode mode = SurfaceMode::kFlow;
-  int threads = 1;  // of the stress field
+  int threads = 1;  // of the stress field, at most
 };
 
 // Compaction work that a source has done.
@@ -86,8 +86,8 @@ class Ground {
     Columns columns;
     SurfaceLoad load;
     double period;  // [s]
-    PeriodResult result = {};
-    std::exception_ptr failure = nullptr;  // then there is no result
+    PeriodResult result;
+    std::exception_ptr failure;  // null; or there is no result
   };
 
   SurfaceLoad TakeLoad(double period);

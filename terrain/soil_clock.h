@@ -1,31 +1,11 @@
-// Runs the soil update in the background while the vehicle goes on.
-//
-// The exchange happens at fixed simulated times: a tick waits for the job of the tick before. So
-// results do not depend on how fast a machine or a thread is.
+// The fixed instants of simulated time at which surface and soil exchange: a tick waits for the
+// update of the tick before. So results do not depend on how fast a machine or a thread is.
 #pragma once
-
-#include <functional>
-#include <future>
 
 #include "terrain/state_stream.h"
 
 namespace softsoil {
 
-// Threads shared by all soils of the process, one per processor; made when first needed. They live
-// to the very end of the process, for a host may step as long.
-class WorkerPool {
- public:
-  static WorkerPool& Shared();
-  // Runs `job` on a worker; get() of the future rethrows what it threw.
-  std::future<void> Run(std::function<void()> job);
-
- private:
-  explicit WorkerPool(int threads);
-  struct Impl;
-  Impl* const impl_;  // the threads hold it, to the end
-};
-
-// The fixed instants of simulated time at which surface and soil exchange.
 class SoilClock {
  public:
   // period [s] > 0.

@@ -114,7 +114,7 @@ void Identification::Shear() {
     return;
   }
   const auto& [fit, from, summary] = *evidence_.shear;
-  const auto held = [&](StrengthBound bound, double factor) {
+  const auto held = [&fit = fit](StrengthBound bound, double factor) {
     if (fit.bound != bound) return std::string();
     return "held at 0: the readings ask for " + Rounded(fit.free_value / factor, 4) +
            "; fitted again without";

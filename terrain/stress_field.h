@@ -33,10 +33,10 @@ class StressField {
 struct StressSettings {
   double concentration_factor;  // [-]  nu, 3 to 6
   double near_field_radius;     // [m]  R_min
-  int threads;                  // >= 1; has no influence on the result
+  int threads;  // >= 1, fewer if ThreadBudget has none free; no influence on results
 };
 
-// The sum over all pairs: OpenMP over columns, SIMD over the volumes of a column. In float; the
+// The sum over all pairs: columns in parallel, SIMD over the volumes of a column. In float; the
 // error against the laws in double is below 1e-5 of the peak stress.
 std::unique_ptr<StressField> MakeDirectStress(const StressSettings& settings);
 

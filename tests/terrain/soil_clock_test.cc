@@ -2,9 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <atomic>
-#include <stdexcept>
-#include <thread>
 #include <vector>
 
 namespace softsoil {
@@ -42,25 +39,6 @@ TEST(SoilClock, LosesNoTime) {
 
 TEST(SoilClock, TicksAtEveryStepThatIsLongerThanThePeriod) {
   EXPECT_EQ(Periods(0.01, 0.025, 8), std::vector<double>(8, 0.025));
-}
-
-TEST(WorkerPool, RunsEveryJob) {
-  std::atomic<int> done{0};
-  std::vector<std::future<void>> jobs;
-  for (int i = 0; i < 200; ++i) jobs.push_back(WorkerPool::Shared().Run([&] { ++done; }));
-  for (auto& job : jobs) job.get();
-  EXPECT_EQ(done, 200);
-}
-
-TEST(WorkerPool, RunsJobsBesideTheCaller) {
-  std::thread::id worker;
-  WorkerPool::Shared().Run([&] { worker = std::this_thread::get_id(); }).get();
-  EXPECT_NE(worker, std::this_thread::get_id());
-}
-
-TEST(WorkerPool, HandsOnWhatAJobThrows) {
-  auto job = WorkerPool::Shared().Run([] { throw std::runtime_error("soil"); });
-  EXPECT_THROW(job.get(), std::runtime_error);
 }
 
 }  // namespace
