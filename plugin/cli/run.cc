@@ -24,8 +24,9 @@ namespace {
 
 constexpr double kAveragedOver = 1;  // [s]
 
-const std::vector<std::string> kResults = {"wheels.csv",   "contact.csv", "terrain.npy",
-                                           "summary.json", "terrain.png", "contact.png"};
+std::vector<std::string> Results() {
+  return {"wheels.csv", "contact.csv", "terrain.npy", "summary.json", "terrain.png", "contact.png"};
+}
 
 void RequirePositive(const char* option, double value) {
   if (std::isfinite(value) && value > 0) return;
@@ -178,8 +179,8 @@ void Run(const RunOptions& options) {
   const RunSteps steps(simulation.Time(), options.time, simulation.model().opt.timestep);
   const Plan plan(options, steps);
   const std::vector<std::string> inputs = {scene, options.controls, options.load_state};
-  RequirePlaces(options.save_states, options.folder, kResults, inputs);
-  const ResultFolder folder(options.folder, kResults, inputs);
+  RequirePlaces(options.save_states, options.folder, Results(), inputs);
+  const ResultFolder folder(options.folder, Results(), inputs);
   RemoveOlder(options.save_states);
 
   const RunResult result = Drive(simulation, controls, options, plan).ToTheEnd();

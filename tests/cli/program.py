@@ -6,6 +6,7 @@ import pathlib
 import subprocess
 import tempfile
 import unittest
+import xml.etree.ElementTree as ET
 
 FAILED, BAD_INPUT, NO_SUCH_PROGRAM = 1, 2, 127
 COARSE = ["--no-picture", "--set", "grid_spacing=0.05", "--set", "volume_height=0.05", "--set",
@@ -33,6 +34,28 @@ def rows_of(folder, name="wheels.csv"):
     with open(folder / name, newline="") as file:
         return [{key: text if key == "wheel" else float(text) for key, text in row.items()}
                 for row in csv.DictReader(file)]
+
+
+def scene_in(folder, *changes):
+    """A copy of the shipped scene with changes: pairs of old and new text."""
+    text = pathlib.Path("models/scenes/hmmwv_flat.xml").read_text()
+    vehicles = os.path.relpath("models/vehicles", folder)
+    for old, new in (("../vehicles", vehicles), *changes):
+        assert old in text, old
+        text = text.replace(old, new)
+    scene = folder / "scene.xml"
+    scene.write_text(text)
+    return scene
+
+
+def loose_soil_in(folder):
+    """A file with the soil loose_yolo_loam."""
+    soil = ET.parse("models/soils/yolo_loam.xml").getroot().find("soil[@name='tilled_yolo_loam']")
+    soil.set("name", "loose_yolo_loam")
+    soil.find("compaction").set("initial_density", "950")
+    file = folder / "soils.xml"
+    file.write_text(f"<soils>{ET.tostring(soil, encoding='unicode')}</soils>")
+    return file
 
 
 class InAFolder(unittest.TestCase):
