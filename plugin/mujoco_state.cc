@@ -9,6 +9,8 @@
 namespace softsoil {
 namespace {
 
+constexpr char kUserdata[] = "userdata";
+
 struct Array {
   const char* name;
   mjtNum* values;
@@ -27,7 +29,7 @@ std::vector<Array> ArraysOf(const mjModel* m, mjData* d) {
           {"qacc", d->qacc, m->nv},
           {"mocap_pos", d->mocap_pos, 3 * m->nmocap},
           {"mocap_quat", d->mocap_quat, 4 * m->nmocap},
-          {"userdata", d->userdata, m->nuserdata}};
+          {kUserdata, d->userdata, m->nuserdata}};
 }
 
 std::string NamesOf(const mjModel* m) {
@@ -36,10 +38,12 @@ std::string NamesOf(const mjModel* m) {
 
 }  // namespace
 
-void Write(const mjModel* m, const mjData* d, StateWriter& writer) {
+void Write(const mjModel* m, const mjData* d, int cleared_userdata, StateWriter& writer) {
   writer.PutText(NamesOf(m));
   for (const Array& array : ArraysOf(m, const_cast<mjData*>(d))) {  // read alone
-    writer.PutAll(std::vector<mjtNum>(array.values, array.values + array.count));
+    std::vector<mjtNum> values(array.values, array.values + array.count);
+    if (array.name == kUserdata) std::fill_n(values.rbegin(), cleared_userdata, 0);
+    writer.PutAll(values);
   }
 }
 

@@ -9,8 +9,8 @@
 namespace softsoil {
 
 // Time, positions, velocities, activations, controls, applied forces, mocap poses, the user's data
-// and the warm start of the solver.
-void Write(const mjModel* m, const mjData* d, StateWriter& writer);
+// and the warm start of the solver. So many numbers at the end of userdata are written as 0.
+void Write(const mjModel* m, const mjData* d, int cleared_userdata, StateWriter& writer);
 
 // What Write() wrote, of a model with the same names and sizes. If it throws InputError the mjData
 // is as it was.

@@ -48,6 +48,7 @@ void AddGround(const SoilPlan& plan, IdentityList* list) {
   list->Add("volume_height", s.volume_height);
   list->Add("volumes", s.volumes);
   list->Add("clock", s.soil_clock);
+  list->Add("sync", s.sync ? 1 : 0);
   list->Add("mode", s.mode == SurfaceMode::kFlow ? "flow" : "compaction");
   // A function cannot be compared; samples of it can.
   for (const double x : {-37.21, 0.0, 1.37}) {

@@ -81,7 +81,11 @@ void WriteState(const SoilState& state, const ModelData* data, const StateWriter
   Write(state, writer);
   for (const OwnShare& share : state.shares) share.Write(writer);
   writer.Put(data != nullptr);
-  if (data != nullptr) Write(data->m, data->d, writer);
+  if (data != nullptr) {
+    // A mark names nothing in another process.
+    const bool is_marked = HasRoomForMark(data->m) && state.plan->history > 0;
+    Write(data->m, data->d, is_marked ? kMarkSize : 0, writer);
+  }
   const std::uint64_t checksum = writer.Finish();
   sink(&checksum, sizeof checksum);
 }

@@ -10,6 +10,11 @@
 #include "terrain/input_error.h"
 
 namespace softsoil {
+namespace {
+
+constexpr char kPart[] = ".part";
+
+}  // namespace
 
 void PrepareFolder(const std::string& folder) {
   std::error_code error;
@@ -25,14 +30,16 @@ void PrepareFolder(const std::string& folder) {
 
 void RequireNoInput(const std::string& path, const std::vector<std::string>& inputs) {
   std::error_code error;  // a file that is not there is none of them
-  for (const std::string& input : inputs) {
-    if (!std::filesystem::equivalent(path, input, error)) continue;
-    throw InputError(path + ": is an input, and a result would take its place");
+  for (const std::string& written : {path, path + kPart}) {
+    for (const std::string& input : inputs) {
+      if (!std::filesystem::equivalent(written, input, error)) continue;
+      throw InputError(written + ": is an input, and a result would take its place");
+    }
   }
 }
 
 OutputFile::OutputFile(const std::string& path)
-    : path_(path), part_(path + ".part"), file_(std::fopen(part_.c_str(), "wb")) {
+    : path_(path), part_(path + kPart), file_(std::fopen(part_.c_str(), "wb")) {
   if (file_ == nullptr) Fail("open");
 }
 

@@ -10,7 +10,8 @@ namespace softsoil {
 // Makes the folder if it is not there. Throws InputError if files cannot be written in it.
 void PrepareFolder(const std::string& folder);
 
-// Throws InputError if a file that is to be written is one of the inputs, however it is spelled.
+// Throws InputError if a file that is to be written is one of the inputs, however it is spelled; or
+// <path>.part, see below.
 void RequireNoInput(const std::string& path, const std::vector<std::string>& inputs);
 
 // Written as <path>.part, and renamed to <path> when complete: a run that is killed leaves no half

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <map>
 #include <set>
 
 #include "plugin/cli/contact_log.h"
@@ -12,6 +13,7 @@
 #include "plugin/cli/picture.h"
 #include "plugin/cli/progress.h"
 #include "plugin/cli/result_folder.h"
+#include "plugin/cli/run_steps.h"
 #include "plugin/cli/simulation.h"
 #include "plugin/cli/summary.h"
 #include "plugin/cli/wheel_log.h"
@@ -22,71 +24,75 @@ namespace {
 
 constexpr double kAveragedOver = 1;  // [s]
 
-constexpr double kMostSteps = 1e10;
+std::vector<std::string> Results() {
+  return {"wheels.csv", "contact.csv", "terrain.npy", "summary.json", "terrain.png", "contact.png"};
+}
 
 void RequirePositive(const char* option, double value) {
   if (std::isfinite(value) && value > 0) return;
   throw InputError(std::string(option) + " must be > 0 s, got " + Shown(value));
 }
 
-// Number of steps that make up `time` [s].
-long Steps(double time, double time_step) {
-  if (time < time_step / 2 || time / time_step > kMostSteps) {
-    throw InputError("--time must be one time step, " + Shown(time_step) + " s, to " +
-                     Shown(kMostSteps) + " of them, got " + Shown(time));
-  }
-  return std::max(1L, std::lround(time / time_step));
-}
-
-void RequireWithin(double time, const std::vector<double>& contact_times) {
-  for (const double t : contact_times) {
-    if (t >= 0 && t <= time) continue;
-    throw InputError("--contact-times must be 0 to --time, " + Shown(time) + " s, got " + Shown(t));
-  }
-}
-
 // The steps at whose start the contact is asked for.
-std::set<long> ContactSteps(const std::vector<double>& contact_times, double time_step) {
-  std::set<long> steps;
-  for (const double time : contact_times) steps.insert(std::lround(time / time_step));
-  return steps;
+std::set<long> ContactSteps(const std::vector<double>& contact_times, const RunSteps& steps) {
+  std::set<long> chosen;
+  for (const double time : contact_times) chosen.insert(steps.Nearest("--contact-times", time));
+  return chosen;
 }
+
+// Files by the step at whose start the state is saved.
+std::multimap<long, std::string> FilesByStep(const std::vector<StateSave>& saves,
+                                             const RunSteps& steps) {
+  std::multimap<long, std::string> files;
+  for (const StateSave& save : saves) {
+    files.emplace(steps.Nearest("--save-state", save.time), save.file);
+  }
+  return files;
+}
+
+// When something is to be done besides stepping.
+struct Plan {
+  RunSteps steps;
+  long first_averaged;                      // step
+  std::set<long> contacts;                  // steps, besides the end
+  std::multimap<long, std::string> states;  // files by step
+
+  Plan(const RunOptions& options, const RunSteps& run)
+      : steps(run),
+        first_averaged(
+            std::max(run.first(), run.last() - std::lround(kAveragedOver / run.time_step()))),
+        contacts(ContactSteps(options.contact_times, run)),
+        states(FilesByStep(options.save_states, run)) {}
+};
 
 // Steps a simulation to its end and collects what it tells of its wheels.
 class Drive {
  public:
-  Drive(Simulation& simulation, const Controls& controls, const RunOptions& options)
+  Drive(Simulation& simulation, const Controls& controls, const RunOptions& options,
+        const Plan& plan)
       : simulation_(simulation),
         controls_(controls),
         interval_(options.interval),
-        time_step_(simulation.model().opt.timestep),
-        steps_(Steps(options.time, time_step_)),
-        first_averaged_(std::max(0L, steps_ - std::lround(kAveragedOver / time_step_))),
-        contact_steps_(ContactSteps(options.contact_times, time_step_)),
+        plan_(plan),
         log_(options.folder + "/wheels.csv"),
         contact_log_(options.folder + "/contact.csv"),
-        progress_(options.time) {}
+        progress_(plan.steps.duration()) {}
 
   RunResult ToTheEnd() {
-    result_.time_step = time_step_;
-    result_.averaged_over = (steps_ - first_averaged_) * time_step_;
+    const RunSteps& steps = plan_.steps;
     for (const softsoilWheel& w : simulation_.Wheels()) result_.wheels.push_back({w.name, {}});
-    const auto start = std::chrono::steady_clock::now();
-    for (long step = 0; step < steps_; ++step) {
-      if (contact_steps_.count(step) > 0) LogContact();
-      if (step * time_step_ > rows_ * interval_ - time_step_ / 2) Log();
-      simulation_.Step(controls_);
-      if (step >= first_averaged_) Average();
-      result_.wall_time =
-          std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-      progress_.Show(simulation_.Time(), result_.wall_time);
+    for (long step = steps.first(); step < steps.last(); ++step) {
+      if (steps.Begins(step, interval_)) Log();
+      if (plan_.contacts.count(step) > 0) LogContact();
+      SaveStates(step);
+      Step(step);
     }
     Log();
     LogContact();
+    SaveStates(steps.last());
     log_.Finish();
     contact_log_.Finish();
-    result_.simulated_time = steps_ * time_step_;
-    result_.ground = simulation_.Ground();
+    TellTotals();
     return result_;
   }
 
@@ -94,7 +100,6 @@ class Drive {
   void Log() {
     simulation_.EvaluateWheels();
     log_.Write(simulation_.Time(), simulation_.Wheels());
-    rows_ = 1 + std::floor((simulation_.Time() + time_step_ / 2) / interval_);
   }
 
   void LogContact() {
@@ -105,22 +110,45 @@ class Drive {
     }
   }
 
+  void SaveStates(long step) {
+    const auto [begin, end] = plan_.states.equal_range(step);
+    for (auto file = begin; file != end; ++file) {
+      simulation_.EvaluateWheels();  // the same file whether or not a row was written before it
+      simulation_.SaveState(file->second);
+    }
+  }
+
+  void Step(long step) {
+    simulation_.Step(controls_);
+    if (step >= plan_.first_averaged) Average();
+    result_.wall_time =
+        std::chrono::duration<double>(std::chrono::steady_clock::now() - begun_).count();
+    progress_.Show(simulation_.Time() - plan_.steps.start(), result_.wall_time);
+  }
+
   void Average() {
     const std::vector<softsoilWheel> wheels = simulation_.Wheels();
     for (std::size_t i = 0; i < wheels.size(); ++i) result_.wheels[i].mean.Add(wheels[i]);
   }
 
+  void TellTotals() {
+    const RunSteps& steps = plan_.steps;
+    result_.time_step = steps.time_step();
+    result_.start_time = steps.start();
+    result_.simulated_time = steps.duration();
+    result_.averaged_over = (steps.last() - plan_.first_averaged) * steps.time_step();
+    result_.ground = simulation_.Ground();
+    result_.state_hash = simulation_.StateHash();
+  }
+
   Simulation& simulation_;
   const Controls& controls_;
-  double interval_;               // [s]
-  double time_step_;              // [s]
-  long steps_;                    // of the whole run
-  long first_averaged_;           // step
-  double rows_ = 0;               // intervals begun
-  std::set<long> contact_steps_;  // besides the end
+  double interval_;  // [s]
+  Plan plan_;
   WheelLog log_;
   ContactLog contact_log_;
   Progress progress_;
+  std::chrono::steady_clock::time_point begun_ = std::chrono::steady_clock::now();
   RunResult result_;
 };
 
@@ -139,7 +167,6 @@ void WriteTerrain(const Simulation& simulation, const std::string& folder) {
 void Run(const RunOptions& options) {
   RequirePositive("--time", options.time);
   RequirePositive("--interval", options.interval);
-  RequireWithin(options.time, options.contact_times);
   const std::string scene = SceneFile(options.scene);
   const std::string python = options.picture ? PythonThatPlots() : "";
 
@@ -148,12 +175,15 @@ void Run(const RunOptions& options) {
   Controls controls;
   if (!options.controls.empty()) controls = Controls(options.controls, simulation.Actuators());
   simulation.GiveSoil(options.settings);
-  const ResultFolder folder(
-      options.folder,
-      {"wheels.csv", "contact.csv", "terrain.npy", "summary.json", "terrain.png", "contact.png"},
-      {scene, options.controls});
+  if (!options.load_state.empty()) simulation.LoadState(options.load_state);
+  const RunSteps steps(simulation.Time(), options.time, simulation.model().opt.timestep);
+  const Plan plan(options, steps);
+  const std::vector<std::string> inputs = {scene, options.controls, options.load_state};
+  RequirePlaces(options.save_states, options.folder, Results(), inputs);
+  const ResultFolder folder(options.folder, Results(), inputs);
+  RemoveOlder(options.save_states);
 
-  const RunResult result = Drive(simulation, controls, options).ToTheEnd();
+  const RunResult result = Drive(simulation, controls, options, plan).ToTheEnd();
   WriteTerrain(simulation, options.folder);
   WriteSummary(options, result);
   if (options.picture) DrawPictures(python, options.folder, {"terrain", "contact"});

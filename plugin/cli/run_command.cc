@@ -50,7 +50,10 @@ void AddRunCommand(CLI::App& program) {
   auto line = std::make_shared<Line>();
   RunOptions& options = line->options;
   command->add_option("scene", options.scene, "MJCF file, or name of a shipped scene")->required();
-  command->add_option("--time", options.time, "Time to simulate [s]")->required();
+  command
+      ->add_option("--time", options.time,
+                   "Time to simulate [s]; with --load-state, from the time of the state on")
+      ->required();
   command->add_option("--out", options.folder, "Folder for the results")->required();
   command->add_option("--controls", options.controls,
                       "CSV file: a column time [s], and one for each actuator to be driven, linear "
@@ -64,6 +67,26 @@ void AddRunCommand(CLI::App& program) {
                    "T1,T2,... [s]")
       ->delimiter(',')
       ->allow_extra_args(false);
+  command
+      ->add_option_function<std::vector<std::string>>(
+          "--save-state",
+          [line](const std::vector<std::string>& given) {
+            for (const std::string& text : given) {
+              line->options.save_states.push_back(StateSaveIn(text));
+            }
+          },
+          "Save the state of soil and model at the simulated time T [s] into FILE, from which "
+          "--load-state "
+          "goes on; an older state there is replaced; may be given several times")
+      ->type_name("T:FILE")
+      ->allow_extra_args(false);
+  command
+      ->add_option(
+          "--load-state", options.load_state,
+          "Go on from the state in FILE, of the same scene and settings, as if the run had "
+          "not been interrupted; --controls, --contact-times and --save-state go by "
+          "simulated time, which goes on too")
+      ->type_name("FILE");
   command->add_flag("--no-picture", line->no_picture,
                     "Do not draw terrain.png and contact.png, which need python3 with matplotlib");
   AddSetting(*command, line, "--threads", "threads", "Threads of the soil update");

@@ -73,6 +73,21 @@ void Simulation::GiveSoil(const std::string& settings) {
   throw InputError(scene_file_ + ": " + softsoil_error());
 }
 
+void Simulation::LoadState(const std::string& file) {
+  if (softsoil_load_simulation(model_, data_, file.c_str()) == 0) return;
+  throw InputError(softsoil_error());
+}
+
+void Simulation::SaveState(const std::string& file) const {
+  Require(softsoil_save_simulation(model_, data_, file.c_str()));
+}
+
+std::uint64_t Simulation::StateHash() const {
+  std::uint64_t hash = 0;
+  Require(softsoil_hash(data_, &hash));
+  return hash;
+}
+
 std::vector<Actuator> Simulation::Actuators() const {
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   std::vector<Actuator> actuators;

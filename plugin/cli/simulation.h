@@ -3,6 +3,7 @@
 
 #include <mujoco/mujoco.h>
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -28,6 +29,13 @@ class Simulation {
 
   // Before any step. `settings` as for softsoil_attach(). Throws InputError.
   void GiveSoil(const std::string& settings);
+
+  // The soil and MuJoCo's part of the simulation. LoadState(), before any step, throws InputError;
+  // SaveState() throws std::runtime_error.
+  void LoadState(const std::string& file);
+  void SaveState(const std::string& file) const;
+  // softsoil_hash()
+  std::uint64_t StateHash() const;
 
   // Drives as the controls say and steps. Throws std::runtime_error if the model diverges or has
   // lost its soil.

@@ -3,14 +3,15 @@
 #include <mujoco/mujoco.h>
 #include <sys/resource.h>
 
+#include <cinttypes>
 #include <cmath>
 #include <cstdio>
 #include <cstring>
 #include <nlohmann/json.hpp>
 
 #include "plugin/cli/mujoco_messages.h"
-#include "terrain/output_file.h"
 #include "plugin/cli/standard_output.h"
+#include "terrain/output_file.h"
 
 namespace softsoil {
 namespace {
@@ -29,6 +30,12 @@ double PeakMemory() {
 // 0 before anything is touched.
 double Share(std::size_t bytes, std::size_t parts) {
   return parts > 0 ? static_cast<double>(bytes) / parts : 0.0;
+}
+
+std::string Hexadecimal(std::uint64_t number) {
+  char text[17];
+  std::snprintf(text, sizeof text, "%016" PRIx64, number);
+  return text;
 }
 
 Json WheelSummary(const WheelResult& wheel) {
@@ -75,6 +82,8 @@ void WriteSummary(const RunOptions& options, const RunResult& result) {
   json["timestep"] = result.time_step;
   json["soil_clock"] = ground.soil_clock;
   json["threads"] = ground.threads;
+  json["start_time"] = result.start_time;
+  json["loaded_state"] = options.load_state;
   json["simulated_time"] = result.simulated_time;
   json["wall_time"] = result.wall_time;
   json["real_time_factor"] = RealTimeFactor(result);
@@ -87,6 +96,7 @@ void WriteSummary(const RunOptions& options, const RunResult& result) {
   json["rut_volume"] = ground.rut_volume;
   json["displaced_volume"] = ground.displaced_volume;
   json["compaction_energy"] = CompactionEnergy(result);
+  json["state_hash"] = Hexadecimal(result.state_hash);
   json["wheels_averaged_over"] = result.averaged_over;
   json["wheel_units"] = WheelUnits();
   json["wheels"] = Json::array();
@@ -100,8 +110,11 @@ void WriteSummary(const RunOptions& options, const RunResult& result) {
 }
 
 void PrintSummary(const RunOptions& options, const RunResult& result) {
-  std::printf("%s: %g s on %s; wheels averaged over the last %g s\n\n", options.scene.c_str(),
-              result.simulated_time, result.ground.soil, result.averaged_over);
+  std::printf("%s: %g s on %s", options.scene.c_str(), result.simulated_time, result.ground.soil);
+  if (!options.load_state.empty()) {
+    std::printf(", from %s at %g s on", options.load_state.c_str(), result.start_time);
+  }
+  std::printf("; wheels averaged over the last %g s\n\n", result.averaged_over);
   std::printf("%-16s %8s %12s %14s %8s %16s %12s\n", "wheel", "load [N]", "sinkage [cm]",
               "rut depth [cm]", "slip [%]", "drawbar pull [N]", "torque [N m]");
   for (const WheelResult& wheel : result.wheels) PrintWheel(wheel);
@@ -110,8 +123,9 @@ void PrintSummary(const RunOptions& options, const RunResult& result) {
       "%.0f MB\n",
       RealTimeFactor(result), result.wall_time, result.simulated_time, result.ground.threads,
       result.ground.threads == 1 ? "" : "s", PeakMemory());
-  std::printf("Rut volume %.3f m^3, compaction energy %.2f kJ\n", result.ground.rut_volume,
-              CompactionEnergy(result) / 1e3);
+  std::printf("Rut volume %.3f m^3, compaction energy %.2f kJ, state hash %s\n",
+              result.ground.rut_volume, CompactionEnergy(result) / 1e3,
+              Hexadecimal(result.state_hash).c_str());
   std::printf("Results in %s: summary.json, wheels.csv, contact.csv, terrain.npy%s\n",
               options.folder.c_str(), options.picture ? ", terrain.png, contact.png" : "");
   FlushStandardOutput();

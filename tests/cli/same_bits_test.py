@@ -5,11 +5,8 @@ import subprocess
 import sys
 import tempfile
 import unittest
-import xml.etree.ElementTree as ET
 
-from program import COARSE, run, summary_of
-
-SOILS = pathlib.Path("models/soils/yolo_loam.xml")
+from program import COARSE, loose_soil_in, run, summary_of
 
 
 class LooseSoil(unittest.TestCase):
@@ -18,11 +15,7 @@ class LooseSoil(unittest.TestCase):
         holder = tempfile.TemporaryDirectory()
         cls.addClassCleanup(holder.cleanup)
         cls.folder = pathlib.Path(holder.name)
-        soil = ET.parse(SOILS).getroot().find("soil[@name='tilled_yolo_loam']")
-        soil.set("name", "loose_yolo_loam")
-        soil.find("compaction").set("initial_density", "950")
-        (cls.folder / "soils.xml").write_text(
-            f"<soils>{ET.tostring(soil, encoding='unicode')}</soils>")
+        cls.soils = loose_soil_in(cls.folder)
         (cls.folder / "controls.csv").write_text("time,drive\n0,0\n0.5,0\n0.7,3000\n")
         cls.one_thread = cls.drive("one_thread", "--threads", 1)
 
@@ -30,7 +23,7 @@ class LooseSoil(unittest.TestCase):
     def drive(cls, name, *more):
         out = cls.folder / name
         done = run(out, "--controls", cls.folder / "controls.csv", *COARSE, "--set",
-                   f"soil_file={cls.folder / 'soils.xml'}", "--set", "soil=loose_yolo_loam", *more,
+                   f"soil_file={cls.soils}", "--set", "soil=loose_yolo_loam", *more,
                    seconds=2)
         assert done.returncode == 0, done.stderr
         return out

@@ -57,6 +57,19 @@ TEST(SoilState, MayBeCopiedBeforeTheMjData) {
   ExpectSameFuture(a, b);
 }
 
+TEST(SoilState, GoesOnAlikeInACopyThatHadNoSoil) {
+  Driven a;
+  const Data d = MakeData(a.m);
+  mj_copyData(d.get(), a.m.get(), a.d.get());
+  ASSERT_EQ(softsoil_copy(d.get(), a.d.get()), 0) << softsoil_error();
+  for (int i = 0; i < 100; ++i) {
+    mj_step(a.m.get(), d.get());
+    mj_step(a.m.get(), a.d.get());
+  }
+  for (int k = 0; k < a.m->nq; ++k) EXPECT_EQ(a.d->qpos[k], d->qpos[k]);
+  for (int k = 0; k < 6 * a.m->nbody; ++k) EXPECT_EQ(a.d->xfrc_applied[k], d->xfrc_applied[k]);
+}
+
 TEST(SoilState, IsOneOfItsOwnInACopy) {
   Driven a;
   const Data d = MakeData(a.m);

@@ -112,6 +112,8 @@ TEST(SurfaceLoad, StartsAnewAfterEveryPeriod) {
   EXPECT_TRUE(Mean(gatherer, 0.01).empty());
 }
 
+constexpr double kMostImpulse = 100;  // [N s]
+
 std::vector<unsigned char> Written(const LoadGatherer& gatherer) {
   std::vector<unsigned char> bytes;
   StateWriter writer([&](const void* data, std::size_t count) {
@@ -130,7 +132,7 @@ TEST(SurfaceLoad, GoesOnAlikeInACopyAndWhenWrittenAndRead) {
   LoadGatherer copy = plain, read(kDx);
   const std::vector<unsigned char> bytes = Written(plain);
   StateReader reader(bytes.data(), bytes.size());
-  read.Read(reader);
+  read.Read(reader, kMostImpulse);
   EXPECT_EQ(Written(read), bytes);
   for (LoadGatherer* gatherer : {&plain, &copy, &read}) {
     for (int i = 150; i < 300; ++i) gatherer->Add(forces[i], 0.01);
@@ -157,7 +159,16 @@ TEST(SurfaceLoad, IsRefusedWithANodeTwice) {
   const std::size_t node = sizeof(std::uint64_t), next = node + sizeof(GridNode) + 24;
   std::copy_n(&bytes[node], sizeof(GridNode), &bytes[next]);
   StateReader reader(bytes.data(), bytes.size());
-  EXPECT_THROW(read.Read(reader), std::runtime_error);
+  EXPECT_THROW(read.Read(reader, kMostImpulse), std::runtime_error);
+}
+
+TEST(SurfaceLoad, IsRefusedWithMoreThanAnyLoad) {
+  LoadGatherer gatherer(kDx), read(kDx);
+  gatherer.Add({{0, 0, 0}, {0, 0, -1000}}, 0.01);
+  const std::vector<unsigned char> bytes = Written(gatherer);
+  StateReader enough(bytes.data(), bytes.size()), too_little(bytes.data(), bytes.size());
+  EXPECT_NO_THROW(read.Read(enough, 10));
+  EXPECT_THROW(read.Read(too_little, 9.9), std::runtime_error);
 }
 
 }  // namespace
