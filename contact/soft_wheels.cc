@@ -29,13 +29,15 @@ void SoftWheels::Commit(const std::vector<TirePose>& poses, const std::vector<Pa
   ground_.Pass(h);
 }
 
-SoftWheelsState SoftWheels::State() {
-  if (slip_ == nullptr) {
-    std::vector<SlipMemory> slip;
-    for (const WheelContact& wheel : wheels_) slip.push_back(wheel.Slip());
-    slip_ = std::make_shared<std::vector<SlipMemory>>(std::move(slip));
-  }
-  return {ground_, slip_};
+SoftWheelsState SoftWheels::State() const { return {ground_, Slip()}; }
+
+void SoftWheels::ShareSlip() { slip_ = Slip(); }
+
+std::shared_ptr<const std::vector<SlipMemory>> SoftWheels::Slip() const {
+  if (slip_ != nullptr) return slip_;
+  auto slip = std::make_shared<std::vector<SlipMemory>>();
+  for (const WheelContact& wheel : wheels_) slip->push_back(wheel.Slip());
+  return slip;
 }
 
 SoftWheelsState SoftWheels::Undisturbed() const {

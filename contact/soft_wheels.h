@@ -35,7 +35,9 @@ class SoftWheels {
   // plastic sinkage and load enter the history, and simulated time passes.
   void Commit(const std::vector<TirePose>& poses, const std::vector<PatchForces>& forces, double h);
 
-  SoftWheelsState State();
+  // Cheap after ShareSlip(), until the next step. From any number of threads.
+  SoftWheelsState State() const;
+  void ShareSlip();
   SoftWheelsState Undisturbed() const;
   void SetState(SoftWheelsState state);
   // What Write() wrote. Throws InputError.
@@ -45,10 +47,12 @@ class SoftWheels {
   void ForgetSlip();
 
  private:
+  std::shared_ptr<const std::vector<SlipMemory>> Slip() const;
+
   Ground undisturbed_;  // as just made
   Ground ground_;
   std::vector<WheelContact> wheels_;
-  std::shared_ptr<const std::vector<SlipMemory>> slip_;  // theirs, once asked for; else null
+  std::shared_ptr<const std::vector<SlipMemory>> slip_;  // theirs, if shared; else null
   std::vector<NodeSinkage> plastic_;                     // scratch
 };
 

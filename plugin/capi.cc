@@ -10,6 +10,7 @@
 
 namespace {
 
+using softsoil::EntryOf;
 using softsoil::Fenced;
 using softsoil::InputError;
 using softsoil::Require;
@@ -127,7 +128,7 @@ int softsoil_attach(const mjModel* m, mjData* d, const char* settings) {
 int softsoil_detach(const mjModel* m, mjData* d) {
   return Fenced([&] {
     Require(m, "mjModel");
-    SoilOf(d);
+    EntryOf(d);
     softsoil::TakeSoil(m, d);
   });
 }
@@ -135,7 +136,7 @@ int softsoil_detach(const mjModel* m, mjData* d) {
 int softsoil_reset(const mjModel* m, mjData* d) {
   return Fenced([&] {
     Require(m, "mjModel");
-    SoilOf(d);
+    EntryOf(d);
     softsoil::ResetSoil(m, d);
   });
 }

@@ -39,8 +39,8 @@ int softsoil_copy(mjData* dst, const mjData* src) {
     Require(dst, "dst");
     const std::shared_ptr<SoilEntry> from = EntryOf(src);
     if (dst == src) return;
-    const SoilState state = from->soil->State(src);
-    softsoil::GiveSoilIfNone(from->fingerprint.model, dst, state.plan);
+    const SoilState state = SoilOf(src)->State(src);
+    softsoil::GiveSoilIfNone(from->fingerprint.model, src, dst, state.plan);
     softsoil::RestoreSoil(dst, state);
   });
 }
@@ -54,7 +54,7 @@ softsoilSnapshot* softsoil_snapshot(const mjData* d) {
 int softsoil_restore(mjData* d, const softsoilSnapshot* snapshot) {
   return Fenced([&] {
     Require(snapshot, "snapshot");
-    SoilOf(d);
+    Require(d, "mjData");
     softsoil::RestoreSoil(d, snapshot->state);
   });
 }

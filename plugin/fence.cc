@@ -12,8 +12,9 @@ std::string& LastError() {
 std::shared_ptr<SoilEntry> EntryOf(const mjData* d) {
   Require(d, "mjData");
   std::shared_ptr<SoilEntry> entry = Registry::Get().Find(d);
-  if (entry != nullptr && entry->soil != nullptr) return entry;
-  if (entry != nullptr && !entry->lost_because.empty()) {
+  const bool is_of_this = entry != nullptr && entry->fingerprint.buffer == d->buffer;
+  if (is_of_this && entry->soil != nullptr) return entry;
+  if (is_of_this && !entry->lost_because.empty()) {
     throw std::runtime_error("this mjData has lost its soil: " + entry->lost_because);
   }
   throw InputError("this mjData has no soil: call softsoil_attach() first");
@@ -21,15 +22,16 @@ std::shared_ptr<SoilEntry> EntryOf(const mjData* d) {
 
 std::shared_ptr<SoilBinding> SoilOf(const mjData* d) {
   const std::shared_ptr<SoilEntry> entry = EntryOf(d);
+  if (entry->lost_because.empty()) entry->soil->FollowMark(d);
   return {entry, entry->soil.get()};
 }
 
 std::shared_ptr<SoilBinding> RunningSoilOf(const mjData* d) {
-  const std::shared_ptr<SoilEntry> entry = EntryOf(d);
-  if (!entry->lost_because.empty()) {
-    throw std::runtime_error("this mjData has lost its soil: " + entry->lost_because);
+  const std::string lost_because = EntryOf(d)->lost_because;
+  if (!lost_because.empty()) {
+    throw std::runtime_error("this mjData has lost its soil: " + lost_because);
   }
-  return {entry, entry->soil.get()};
+  return SoilOf(d);
 }
 
 }  // namespace softsoil

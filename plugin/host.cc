@@ -136,8 +136,8 @@ std::shared_ptr<SoilEntry> EntryOf(const mjModel* m, const mjData* d, Failure* f
 // A mjData without soil that was copied from one with soil, as its userdata tells, gets a soil of
 // its own. Null if it was not.
 std::shared_ptr<SoilEntry> CopiedEntry(const mjModel* m, mjData* d) {
-  if (!HasRoomForMark(m) || !MarkIn(m, d).IsPossible()) return nullptr;
-  const std::shared_ptr<const SoilState> state = SoilBinding::StateOf(MarkIn(m, d));
+  if (!HasRoomForMark(m) || !MarkIn(m->nuserdata, d).IsPossible()) return nullptr;
+  const std::shared_ptr<const SoilState> state = SoilBinding::StateOf(MarkIn(m->nuserdata, d));
   if (state->plan->model_content != ContentOf(m)) return nullptr;
   PutEntry(m, d, MakeSoil(state->plan, m));
   return Registry::Get().Find(d);  // its first step follows the mark
@@ -155,6 +155,7 @@ void ApplySoil(const mjModel* m, mjData* d, Failure* failure) {
     }
     if (entry == nullptr) entry = CopiedEntry(m, d);
     if (entry == nullptr || entry->soil == nullptr || !entry->lost_because.empty()) return;
+    entry->fingerprint.model = m;
     entry->soil->OnPassive(m, d);
   } catch (const std::exception& error) {
     Note(error, failure);
@@ -168,12 +169,17 @@ void OnPassive(const mjModel* m, mjData* d) {
   if (failure.happened) Answer(failure, m, d);
 }
 
+// Asked for very many contacts.
+bool IsOf(const SoilEntry& entry, const mjModel* m, const mjData* d) {
+  if (entry.fingerprint.model == m) return entry.fingerprint.buffer == d->buffer;
+  return entry.fingerprint == FingerprintOf(m, d);
+}
+
 bool SoilDiscards(const mjModel* m, const mjData* d, int geom1, int geom2, Failure* failure) {
   try {
     const std::shared_ptr<SoilEntry> entry = EntryOf(m, d, failure);
-    const bool is_ours = entry != nullptr && entry->soil != nullptr &&
-                         entry->fingerprint.model == m && entry->fingerprint.buffer == d->buffer;
-    return is_ours && entry->soil->RemovesContact(geom1, geom2);
+    return entry != nullptr && entry->soil != nullptr && IsOf(*entry, m, d) &&
+           entry->soil->RemovesContact(geom1, geom2);
   } catch (const std::exception& error) {
     Note(error, failure);
     return false;
@@ -256,11 +262,13 @@ void GiveSoil(const mjModel* m, mjData* d, std::shared_ptr<const SoilPlan> plan)
   ResetSoil(m, d);
 }
 
-void GiveSoilIfNone(const mjModel* m, mjData* d, std::shared_ptr<const SoilPlan> plan) {
-  const std::shared_ptr<SoilEntry> entry = Registry::Get().Find(d);
-  const bool has_soil =
-      entry != nullptr && entry->soil != nullptr && entry->fingerprint.buffer == d->buffer;
-  if (!has_soil) PutEntry(m, d, MakeSoil(std::move(plan), m));
+void GiveSoilIfNone(const mjModel* m, const mjData* src, mjData* dst,
+                    std::shared_ptr<const SoilPlan> plan) {
+  const std::shared_ptr<SoilEntry> entry = Registry::Get().Find(dst);
+  if (entry != nullptr && entry->soil != nullptr && entry->fingerprint.buffer == dst->buffer)
+    return;
+  if (dst->nbuffer != src->nbuffer) throw InputError("the mjData are of different models");
+  PutEntry(m, dst, MakeSoil(std::move(plan), m));
 }
 
 void ResetSoil(const mjModel* m, mjData* d) {
@@ -269,7 +277,7 @@ void ResetSoil(const mjModel* m, mjData* d) {
   if (!is_known || !(entry->fingerprint == FingerprintOf(m, d))) {
     throw InputError("this mjData has no soil for this mjModel: call softsoil_attach() first");
   }
-  entry->soil->Reset(m, d);
+  entry->soil->Reset(d);
   entry->lost_because.clear();
 }
 
@@ -283,7 +291,7 @@ void RestoreSoil(mjData* d, const SoilState& state) {
   if (entry == nullptr || entry->soil == nullptr || entry->fingerprint.buffer != d->buffer) {
     throw InputError("this mjData has no soil: call softsoil_attach() first");
   }
-  entry->soil->SetState(state, entry->fingerprint.model, d);
+  entry->soil->SetState(state, d);
   entry->lost_because.clear();
 }
 

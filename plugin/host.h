@@ -29,8 +29,10 @@ void LearnModels(OnError on_error);
 // Gives a mjData the soil of a plan, in place of one it may have.
 void GiveSoil(const mjModel* m, mjData* d, std::shared_ptr<const SoilPlan> plan);
 
-// The same if it has none yet, to be restored at once: xfrc_applied may be a copy of another's.
-void GiveSoilIfNone(const mjModel* m, mjData* d, std::shared_ptr<const SoilPlan> plan);
+// The same for `dst`, to be restored at once, if it has none yet. Its xfrc_applied may be a copy of
+// that of `src`. Throws InputError if it is not of the model of `src`.
+void GiveSoilIfNone(const mjModel* m, const mjData* src, mjData* dst,
+                    std::shared_ptr<const SoilPlan> plan);
 
 // As after GiveSoil. Throws InputError if the mjData has no soil, or has it for another model.
 void ResetSoil(const mjModel* m, mjData* d);

@@ -9,6 +9,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 
 #include "terrain/state_stream.h"
 
@@ -25,7 +26,7 @@ class OwnShare {
       if (row[k] != known_.left[k]) known_.hosts[k] = row[k];
       row[k] = known_.left[k] = known_.hosts[k] + share[k];
     }
-    other_ = Row{};
+    other_.reset();
   }
 
   // Takes our share out of the row.
@@ -37,10 +38,11 @@ class OwnShare {
 
   // Holds the row against what is known of it.
   void Recognise(const double* row) {
+    if (!other_) return;
     for (int k = 0; k < 6; ++k) {
-      if (row[k] == known_.left[k] || row[k] != other_.left[k]) continue;
-      known_.left[k] = other_.left[k];
-      known_.hosts[k] = other_.hosts[k];
+      if (row[k] != other_->left[k]) continue;
+      known_.left[k] = other_->left[k];
+      known_.hosts[k] = other_->hosts[k];
     }
   }
 
@@ -63,7 +65,7 @@ class OwnShare {
     WrenchRow hosts{};  // the host's part of it
   };
   Row known_;
-  Row other_;  // how it may read besides
+  std::optional<Row> other_;  // how it may read besides
 };
 
 }  // namespace softsoil

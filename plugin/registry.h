@@ -15,14 +15,14 @@
 namespace softsoil {
 
 // Tells models and mjData apart whose addresses are the same: MuJoCo reuses them at once after a
-// free, and mj_loadXML steps a mjData of its own.
+// free, and mj_loadXML steps a mjData of its own. Copies of a model are one model.
 struct Fingerprint {
-  const mjModel* model;
-  const void* buffer;   // of mjData
-  std::size_t content;  // hash of names and <custom> of the model
+  const mjModel* model;  // by which the mjData was last used
+  const void* buffer;    // of mjData
+  std::size_t content;   // hash of names, sizes and <custom> of the model
 
   bool operator==(const Fingerprint& other) const {
-    return model == other.model && buffer == other.buffer && content == other.content;
+    return buffer == other.buffer && content == other.content;
   }
 };
 Fingerprint FingerprintOf(const mjModel* m, const mjData* d);

@@ -32,13 +32,14 @@ struct RevisionMark {
 
 inline bool HasRoomForMark(const mjModel* m) { return m->nuserdata >= kMarkSize; }
 
-inline RevisionMark MarkIn(const mjModel* m, const mjData* d) {
-  const mjtNum* mark = d->userdata + m->nuserdata - kMarkSize;
+// nuserdata: of the model, with room for a mark.
+inline RevisionMark MarkIn(int nuserdata, const mjData* d) {
+  const mjtNum* mark = d->userdata + nuserdata - kMarkSize;
   return {mark[0], mark[1]};
 }
 
-inline void PutMark(RevisionMark mark, const mjModel* m, mjData* d) {
-  mjtNum* place = d->userdata + m->nuserdata - kMarkSize;
+inline void PutMark(RevisionMark mark, int nuserdata, mjData* d) {
+  mjtNum* place = d->userdata + nuserdata - kMarkSize;
   place[0] = mark.history;
   place[1] = mark.revision;
 }

@@ -146,12 +146,14 @@ SOFTSOIL_API int softsoil_visit_surface(const mjData* d, softsoilVisitor visit, 
 //
 // A model with <size nuserdata="2"/> or more needs none of this: the last two numbers of userdata
 // hold a mark of the soil state, and a mjData that is copied, restored or reset by whatever means
-// finds its soil by itself at the next step. `softsoil_history` [MB] says how many past states are
-// kept; a state that is no longer held is an error. Without the mark, mj_resetData and any other
-// way back in time make the ground undisturbed, and what mj_copyData copies is not the soil.
+// finds its soil by itself at the next step or question. `softsoil_history` [MB] says how many past
+// states are kept, by the mjData that was in them and for as long as it lives; a state that is no
+// longer held is an error. Without the mark, mj_resetData and any other way back in time make the
+// ground undisturbed, a keyframe of a later time leaves it as it is, and what mj_copyData copies is
+// not the soil. With and without, the ground is undisturbed where time alone is set back by hand.
 
-// Gives `dst` the state of the soil of `src`, a mjData of the same model. It gets a soil if it has
-// none.
+// Gives `dst` the state of the soil of `src`, a mjData of the same model or a copy of it. It gets a
+// soil if it has none. Several threads may copy from a `src` that no one uses meanwhile.
 SOFTSOIL_API int softsoil_copy(mjData* dst, const mjData* src);
 
 // A state in memory; NULL if that fails. It may outlive the mjData. Restoring does not use it up.

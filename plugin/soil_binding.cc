@@ -65,7 +65,8 @@ std::size_t BytesBesideTiles(const SoilState& state) {
 SoilBinding::SoilBinding(std::shared_ptr<const SoilPlan> plan, const mjModel* m)
     : plan_(std::move(plan)),
       soft_wheels_(plan_->soil, plan_->terrain, plan_->ground.height, plan_->tires),
-      shares_(plan_->wheels.size()) {
+      shares_(plan_->wheels.size()),
+      nuserdata_(m->nuserdata) {
   for (const Wheel& wheel : plan_->wheels) tire_frame_b_.push_back(TireFrame(wheel.axis_b));
   if (HasRoomForMark(m) && plan_->history > 0) {
     history_ = std::make_unique<SoilHistory>(plan_->history);
@@ -79,6 +80,7 @@ SoilBinding::SoilBinding(std::shared_ptr<const SoilPlan> plan, const mjModel* m)
 
 void SoilBinding::StartAfresh() {
   soft_wheels_.SetState(soft_wheels_.Undisturbed());
+  bytes_copied_ = soft_wheels_.ground().BytesCopied();
   SetPending({});
   warned_of_depth_ = false;
 }
@@ -98,23 +100,28 @@ void SoilBinding::SetPending(const PendingEvaluation& pending) {
   }
 }
 
-SoilState SoilBinding::State(const mjData* d) {
-  for (std::size_t i = 0; i < shares_.size(); ++i) shares_[i].Recognise(Row(d, i));
+SoilState SoilBinding::State(const mjData* d) const {
   SoilState state{plan_, soft_wheels_.State(), watch_, {}, shares_, mark_};
+  for (std::size_t i = 0; i < shares_.size(); ++i) state.shares[i].Recognise(Row(d, i));
   if (is_pending_) state.pending = {pending_.poses, pending_.h};
   return state;
 }
 
-void SoilBinding::SetState(const SoilState& state, const mjModel* m, mjData* d) {
+void SoilBinding::SetState(const SoilState& state, mjData* d) {
+  Restore(state);
+  const RevisionMark marked = state.mark;
+  LeaveMark(d);
+  other_mark_ = marked;
+}
+
+void SoilBinding::Restore(const SoilState& state) {
   if (state.plan != plan_) RequireSame(IdentityOf(*state.plan), IdentityOf(*plan_), "the state");
   soft_wheels_.SetState(state.wheels);
+  bytes_copied_ = soft_wheels_.ground().BytesCopied();
   watch_ = state.watch;
   SetPending(state.pending);
   for (std::size_t i = 0; i < shares_.size(); ++i) shares_[i].Expect(state.shares[i]);
   is_restored_ = true;
-  const RevisionMark marked = state.mark;
-  LeaveMark(m, d);
-  other_mark_ = marked;
 }
 
 std::shared_ptr<const SoilState> SoilBinding::StateOf(RevisionMark mark) {
@@ -139,30 +146,31 @@ SoilState SoilBinding::Undisturbed() const {
 }
 
 // The marks of the state of now: the one that we left, and the one that it had where it came from.
-void SoilBinding::FollowMark(const mjModel* m, mjData* d) {
+void SoilBinding::FollowMark(const mjData* d) {
   if (history_ == nullptr) return;
-  const RevisionMark mark = MarkIn(m, d);
+  const RevisionMark mark = MarkIn(nuserdata_, d);
   if (mark == mark_ || (mark == other_mark_ && !mark.IsUndisturbed())) return;
   if (mark.IsUndisturbed()) {
     watch_ = StepWatch{};
     StartAfresh();
-    mark_ = other_mark_ = mark;
-    return;
+  } else {
+    Restore(*StateOf(mark));
   }
-  SetState(*StateOf(mark), m, d);
+  mark_ = other_mark_ = mark;
 }
 
-void SoilBinding::LeaveMark(const mjModel* m, mjData* d) {
+void SoilBinding::LeaveMark(mjData* d) {
   if (history_ == nullptr) return;
+  soft_wheels_.ShareSlip();
   SoilState state = State(d);
   const std::size_t copied = soft_wheels_.ground().BytesCopied();
   history_->Add(&state, copied - std::exchange(bytes_copied_, copied) + BytesBesideTiles(state));
   mark_ = other_mark_ = state.mark;
-  PutMark(mark_, m, d);
+  PutMark(mark_, nuserdata_, d);
 }
 
 void SoilBinding::OnPassive(const mjModel* m, mjData* d) {
-  FollowMark(m, d);
+  FollowMark(d);
   const StepEvent event = watch_.See(m, d);
   LetHistoryPass(event, d->time);
   try {
@@ -171,7 +179,7 @@ void SoilBinding::OnPassive(const mjModel* m, mjData* d) {
     if (event != StepEvent::kTrial) is_pending_ = false;
     latest_ = &pending_;
     RemoveForces(d);
-    LeaveMark(m, d);
+    LeaveMark(d);
     Say(std::string(error.what()) + "; no soil forces while that lasts");
     return;
   }
@@ -182,7 +190,7 @@ void SoilBinding::OnPassive(const mjModel* m, mjData* d) {
     latest_ = &pending_;
     is_pending_ = true;
   }
-  LeaveMark(m, d);
+  LeaveMark(d);
 }
 
 void SoilBinding::LetHistoryPass(StepEvent event, double time) {
@@ -250,12 +258,12 @@ void SoilBinding::RemoveForces(mjData* d) {
   for (std::size_t i = 0; i < shares_.size(); ++i) shares_[i].Remove(Row(d, i));
 }
 
-void SoilBinding::Reset(const mjModel* m, mjData* d) {
+void SoilBinding::Reset(mjData* d) {
   RemoveForces(d);
   watch_ = StepWatch{};
   StartAfresh();
   mark_ = other_mark_ = RevisionMark{};
-  if (history_ != nullptr) PutMark(mark_, m, d);
+  if (history_ != nullptr) PutMark(mark_, nuserdata_, d);
 }
 
 bool SoilBinding::RemovesContact(int geom1, int geom2) const {

@@ -24,20 +24,23 @@ class SoilBinding {
   // step was accepted since the last call. If a pose is not finite, as in a simulation that
   // diverges, it says so and leaves the wheels without soil until poses are finite again.
   //
-  // If userdata has the mark of another state of the soil, that state is restored first. Throws
-  // InputError if it is no longer held.
+  // Follows the mark first; throws what that throws.
   void OnPassive(const mjModel* m, mjData* d);
 
   // Takes the soil's share out of xfrc_applied.
   void RemoveForces(mjData* d);
 
   // As just made: undisturbed ground, wheels at rest, no forces in xfrc_applied.
-  void Reset(const mjModel* m, mjData* d);
+  void Reset(mjData* d);
 
-  // The state of now, and one as it was, of the same plan or one that gives the same soil. The rows
-  // of xfrc_applied and the mark in userdata belong to it.
-  SoilState State(const mjData* d);
-  void SetState(const SoilState& state, const mjModel* m, mjData* d);
+  // If userdata has the mark of another state of the soil, that state is the one of now. Throws
+  // InputError if it is no longer held.
+  void FollowMark(const mjData* d);
+
+  // The state of now, from any number of threads at a time, and one as it was, of the same plan or
+  // one that gives the same soil. The rows of xfrc_applied and the mark in userdata belong to it.
+  SoilState State(const mjData* d) const;
+  void SetState(const SoilState& state, mjData* d);
   SoilState Undisturbed() const;
 
   // The state that a mark names. Throws InputError if it is not held.
@@ -73,8 +76,8 @@ class SoilBinding {
   const double* Row(const mjData* d, std::size_t wheel) const {
     return Row(const_cast<mjData*>(d), wheel);
   }
-  void FollowMark(const mjModel* m, mjData* d);
-  void LeaveMark(const mjModel* m, mjData* d);
+  void Restore(const SoilState& state);
+  void LeaveMark(mjData* d);
   void LetHistoryPass(StepEvent event, double time);
   void Commit();
   void Evaluate(const mjModel* m, const mjData* d);
@@ -94,6 +97,7 @@ class SoilBinding {
   bool warned_of_depth_ = false;
   const Evaluation* latest_ = &pending_;
 
+  const int nuserdata_;                   // of the model
   std::unique_ptr<SoilHistory> history_;  // null: no marks
   RevisionMark mark_;                     // of the state of now, as in userdata
   RevisionMark other_mark_;               // the one it had where it came from

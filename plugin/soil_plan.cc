@@ -102,7 +102,9 @@ void RequireUsable(const mjOption& option) {
 }  // namespace
 
 std::size_t ContentOf(const mjModel* m) {
-  std::size_t content = Hash(m->names, m->nnames, 0);
+  const int sizes[] = {m->nq, m->nv, m->nbody, m->ngeom, m->nuserdata};
+  std::size_t content = Hash(sizes, std::size(sizes), 0);
+  content = Hash(m->names, m->nnames, content);
   content = Hash(m->text_data, m->ntextdata, content);
   content = Hash(m->numeric_data, m->nnumericdata, content);
   return Hash(m->tuple_objid, m->ntupledata, content);

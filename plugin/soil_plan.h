@@ -26,7 +26,7 @@ struct SoilPlan {
   int nq, nv;                 // of the model
 };
 
-// Hash of the names and the <custom> elements of a model.
+// Hash of the names, the sizes and the <custom> elements of a model.
 std::size_t ContentOf(const mjModel* m);
 
 // Reads catalogues, finds wheels and ground, and says what was chosen and what looks wrong.

@@ -79,13 +79,11 @@ void WriteState(const SoilState& state, const ModelData* data, const StateWriter
   writer.Put(kStateFileVersion);
   Write(IdentityOf(*state.plan), writer);
   Write(state, writer);
+  for (const OwnShare& share : state.shares) share.Write(writer);
   writer.Put(data != nullptr);
-  if (data != nullptr) {
-    for (const OwnShare& share : state.shares) share.Write(writer);
-    // A mark names nothing in another process.
-    const bool is_marked = HasRoomForMark(data->m) && state.plan->history > 0;
-    Write(data->m, data->d, is_marked ? kMarkSize : 0, writer);
-  }
+  // A mark names nothing in another process.
+  const bool is_marked = data != nullptr && HasRoomForMark(data->m) && state.plan->history > 0;
+  if (data != nullptr) Write(data->m, data->d, is_marked ? kMarkSize : 0, writer);
   const std::uint64_t checksum = writer.Finish();
   sink(&checksum, sizeof checksum);
 }
@@ -106,10 +104,10 @@ SoilState ParseState(const std::vector<unsigned char>& bytes, const SoftWheels& 
   StateReader reader = Checked(bytes);
   RequireSame(ReadIdentity(reader), IdentityOf(*undisturbed.plan), "the state");
   SoilState state = ReadSoilState(reader, wheels, undisturbed);
+  for (OwnShare& share : state.shares) share.Read(reader);
   const bool has_data = reader.GetFlag();
   if (data == nullptr) return state;
   if (!has_data) throw InputError("holds the soil alone, not the state of the mjData");
-  for (OwnShare& share : state.shares) share.Read(reader);
   Read(reader, data->m, data->d);
   return state;
 }

@@ -29,6 +29,8 @@ PeriodResult ReadPeriodResult(StateReader& reader) {
   result.compaction.resize(reader.Count(sizeof(GridNode) + sizeof(double)));
   for (NodeSinkage& c : result.compaction) {
     c.node = reader.Get<GridNode>();
+    reader.Require(std::abs(c.node.i) <= kFarthestNode && std::abs(c.node.j) <= kFarthestNode,
+                   "a node of the ground");
     c.sinkage = reader.GetFinite();
   }
   result.energy.resize(reader.Count(sizeof(double)));

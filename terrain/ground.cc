@@ -7,6 +7,8 @@
 namespace softsoil {
 namespace {
 
+constexpr double kMostPressure = 1e8;  // [Pa]  that a state may have on the ground
+
 // A point load is right only below about one spacing (its own node alone gives 2.5 p at dx/2).
 constexpr double kNearFieldSpacings = 1.25;
 
@@ -150,7 +152,9 @@ void Ground::Read(StateReader& reader) {
   surface_.Read(reader);
   columns_.Read(reader);
   clock_.Read(reader);
-  for (LoadGatherer& gatherer : gatherers_) gatherer.Read(reader);
+  const double area = settings_.grid_spacing * settings_.grid_spacing;
+  const double most = kMostPressure * area * settings_.soil_clock;
+  for (LoadGatherer& gatherer : gatherers_) gatherer.Read(reader, most);
   for (CompactionWork& work : work_) {
     work.energy = reader.GetFinite();
     work.power = reader.GetFinite();

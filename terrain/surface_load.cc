@@ -31,10 +31,15 @@ void LoadGatherer::Write(StateWriter& writer) const {
                   [](StateWriter& to, const Tile& tile) { to.PutBytes(tile.data(), sizeof tile); });
 }
 
-void LoadGatherer::Read(StateReader& reader) {
+void LoadGatherer::Read(StateReader& reader, double most) {
   impulses_.Read(
       reader, sizeof(Tile), [](TileIndex) { return NoImpulse(); },
-      [](StateReader& from, Tile& tile) { from.GetFinite(tile.front().data(), 3 * tile.size()); });
+      [most](StateReader& from, Tile& tile) {
+        from.GetFinite(tile.front().data(), 3 * tile.size());
+        for (const Eigen::Vector3d& impulse : tile) {
+          from.Require(impulse.cwiseAbs().maxCoeff() <= most, "an impulse on the ground");
+        }
+      });
 }
 
 }  // namespace softsoil

@@ -52,7 +52,8 @@ class LoadGatherer {
 
   std::size_t BytesCopied() const { return impulses_.copied() * sizeof(Tile); }
   void Write(StateWriter& writer) const;
-  void Read(StateReader& reader);  // throws InputError
+  // Throws InputError, also if an impulse [N s] at a node exceeds `most`.
+  void Read(StateReader& reader, double most);
 
  private:
   using Tile = std::array<Eigen::Vector3d, kTileSide * kTileSide>;  // [N s]

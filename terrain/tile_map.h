@@ -13,6 +13,9 @@ namespace softsoil {
 
 constexpr int kTileSide = 16;  // grid nodes along the side of a tile
 
+// Nodes that a state may have: their numbers have 32 bits.
+constexpr int kFarthestNode = 1 << 30;
+
 // A node of the square grid: x = i dx, y = j dx.
 struct GridNode {
   int i, j;
@@ -114,7 +117,7 @@ class TileMap {
  private:
   static constexpr int kBlockSide = 16;  // tiles
   static constexpr int kTilesPerBlock = kBlockSide * kBlockSide;
-  static constexpr int kFarthestTile = 1 << 26;  // its nodes still have 32 bits
+  static constexpr int kFarthestTile = kFarthestNode / kTileSide;
   using Block = std::array<Cow<Tile>, kTilesPerBlock>;
   using Blocks = std::map<TileIndex, Cow<Block>>;
 

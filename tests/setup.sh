@@ -1,8 +1,8 @@
 # Sourced by tests/run.sh and the examples; sets nothing up by itself. Gives
-#   install_packages         what softsoil needs from Debian 12, only what is missing
-#   build PRESET [TARGET]... configures once, builds what changed; the build folder is then in $build
-#   use_softsoil [TARGET]... the program softsoil in PATH: the build that ctest gives, or a release build of its own with more
-#                            targets besides
+#   install_packages [PACKAGE]...  what softsoil needs from Debian 12 and these packages, only what is missing
+#   build PRESET [TARGET]...       configures once, builds what changed; the build folder is then in $build
+#   use_softsoil [TARGET]...       the program softsoil in PATH: the build that ctest gives, or a release build of its own
+#                                  with more targets besides
 
 repo=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 
@@ -14,10 +14,11 @@ packages=(
   python3 python3-numpy python3-matplotlib
   xvfb xauth libegl1 libgl1-mesa-dri libosmesa6
 )
+sanitizer_packages=(clang libclang-rt-dev llvm)  # for the presets asan, tsan and fuzz
 
 missing_packages() {
   local package
-  for package in "${packages[@]}"; do
+  for package in "$@"; do
     dpkg-query --show --showformat='${db:Status-Status}\n' "$package" 2>/dev/null |
       grep -qx installed || echo "$package"
   done
@@ -25,11 +26,11 @@ missing_packages() {
 
 install_packages() {
   if ! command -v dpkg-query >/dev/null; then
-    echo "softsoil: not a Debian system; install the counterparts of: ${packages[*]}" >&2
+    echo "softsoil: not a Debian system; install the counterparts of: ${packages[*]} $*" >&2
     exit 1
   fi
   local missing as_root=()
-  mapfile -t missing < <(missing_packages)
+  mapfile -t missing < <(missing_packages "${packages[@]}" "$@")
   [[ ${#missing[@]} -gt 0 ]] || return 0
   if [[ $(id -u) -ne 0 ]]; then
     if ! command -v sudo >/dev/null; then
