@@ -1,6 +1,7 @@
 #include "plugin/soil_binding.h"
 
 #include <Eigen/Geometry>
+#include <cmath>
 #include <stdexcept>
 #include <utility>
 
@@ -53,6 +54,14 @@ WrenchRow RowOf(const Wrench& wrench) {
   return {f.x(), f.y(), f.z(), t.x(), t.y(), t.z()};
 }
 
+// What makes it impossible to tell what a step is; empty if nothing does.
+std::string TimeFault(const mjModel* m, const mjData* d) {
+  const double h = m->opt.timestep;
+  if (!std::isfinite(d->time)) return "the time is not finite";
+  if (h >= 0 && std::isfinite(h)) return "";
+  return "<option> timestep: must be >= 0 s, got " + Shown(h);
+}
+
 // What a state in the history takes besides tiles.
 std::size_t BytesBesideTiles(const SoilState& state) {
   std::size_t bytes = sizeof state;
@@ -78,24 +87,29 @@ SoilBinding::SoilBinding(std::shared_ptr<const SoilPlan> plan, const mjModel* m)
 }
 
 void SoilBinding::StartAfresh() {
-  soft_wheels_.SetState(soft_wheels_.Undisturbed());
-  SetPending({});
+  SetWheels(soft_wheels_.Undisturbed(), {});
   warned_of_depth_ = false;
 }
 
-void SoilBinding::SetPending(const PendingEvaluation& pending) {
-  is_pending_ = !pending.poses.empty();
-  pending_.poses = is_pending_ ? pending.poses : std::vector<TirePose>(shares_.size(), AtRest());
-  pending_.h = pending.h;
-  latest_ = &pending_;
-  for (int wheel = 0; wheel < soft_wheels_.size(); ++wheel) {
-    PatchForces& forces = pending_.forces[wheel];
-    if (is_pending_) {
-      soft_wheels_.Evaluate(wheel, pending_.poses[wheel], pending_.h, &forces);
-    } else {
+void SoilBinding::SetWheels(SoftWheelsState wheels, const PendingEvaluation& pending) {
+  const bool is_pending = !pending.poses.empty();
+  SoftWheelsState before = soft_wheels_.State();
+  soft_wheels_.SetState(std::move(wheels));
+  latest_ = &pending_;  // as long as it holds, the other one is free
+  now_.h = pending.h;
+  try {
+    for (int wheel = 0; wheel < soft_wheels_.size(); ++wheel) {
+      now_.poses[wheel] = is_pending ? pending.poses[wheel] : AtRest();
+      PatchForces& forces = now_.forces[wheel];
       forces = PatchForces{};
+      if (is_pending) soft_wheels_.Evaluate(wheel, now_.poses[wheel], now_.h, &forces);
     }
+  } catch (...) {
+    soft_wheels_.SetState(std::move(before));
+    throw;
   }
+  std::swap(now_, pending_);
+  is_pending_ = is_pending;
 }
 
 SoilState SoilBinding::State(const mjData* d) {
@@ -107,9 +121,8 @@ SoilState SoilBinding::State(const mjData* d) {
 
 void SoilBinding::SetState(const SoilState& state, const mjModel* m, mjData* d) {
   if (state.plan != plan_) RequireSame(IdentityOf(*state.plan), IdentityOf(*plan_), "the state");
-  soft_wheels_.SetState(state.wheels);
+  SetWheels(state.wheels, state.pending);
   watch_ = state.watch;
-  SetPending(state.pending);
   for (std::size_t i = 0; i < shares_.size(); ++i) shares_[i].Expect(state.shares[i]);
   is_restored_ = true;
   const RevisionMark marked = state.mark;
@@ -144,8 +157,8 @@ void SoilBinding::FollowMark(const mjModel* m, mjData* d) {
   const RevisionMark mark = MarkIn(m, d);
   if (mark == mark_ || (mark == other_mark_ && !mark.IsUndisturbed())) return;
   if (mark.IsUndisturbed()) {
-    watch_ = StepWatch{};
     StartAfresh();
+    watch_ = StepWatch{};
     mark_ = other_mark_ = mark;
     return;
   }
@@ -163,16 +176,18 @@ void SoilBinding::LeaveMark(const mjModel* m, mjData* d) {
 
 void SoilBinding::OnPassive(const mjModel* m, mjData* d) {
   FollowMark(m, d);
+  const std::string fault = TimeFault(m, d);
+  if (!fault.empty()) {
+    GoWithout(fault, m, d);
+    return;
+  }
   const StepEvent event = watch_.See(d->time, m->opt.timestep);
   LetHistoryPass(event, d->time);
   try {
     Evaluate(m, d);
   } catch (const std::runtime_error& error) {
     is_pending_ = false;
-    latest_ = &pending_;
-    RemoveForces(d);
-    LeaveMark(m, d);
-    Say(std::string(error.what()) + "; no soil forces while that lasts");
+    GoWithout(error.what(), m, d);
     return;
   }
   WriteForces(d);
@@ -185,10 +200,17 @@ void SoilBinding::OnPassive(const mjModel* m, mjData* d) {
   LeaveMark(m, d);
 }
 
+void SoilBinding::GoWithout(const std::string& fault, const mjModel* m, mjData* d) {
+  latest_ = &pending_;
+  RemoveForces(d);
+  LeaveMark(m, d);
+  Say(fault + "; no soil forces while that lasts");
+}
+
 void SoilBinding::LetHistoryPass(StepEvent event, double time) {
   switch (event) {
     case StepEvent::kNextStep:
-      if (is_pending_) Commit();
+      if (std::exchange(is_pending_, false)) Commit();
       break;
     case StepEvent::kBack:
       if (is_restored_) {  // whoever restores a soil wants to keep it
@@ -218,7 +240,6 @@ void SoilBinding::ForgetSlip() {
 
 void SoilBinding::Commit() {
   soft_wheels_.Commit(pending_.poses, pending_.forces, pending_.h);
-  is_pending_ = false;
   if (warned_of_depth_ || !soft_wheels_.ground().LowestVolumeYields()) return;
   Say("warning: the lowest soil volume yields under this load; increase softsoil_volumes (" +
       std::to_string(plan_->terrain.volumes) + ")");
@@ -251,9 +272,9 @@ void SoilBinding::RemoveForces(mjData* d) {
 }
 
 void SoilBinding::Reset(const mjModel* m, mjData* d) {
+  StartAfresh();
   RemoveForces(d);
   watch_ = StepWatch{};
-  StartAfresh();
   mark_ = other_mark_ = RevisionMark{};
   if (history_ != nullptr) PutMark(mark_, m, d);
 }

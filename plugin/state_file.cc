@@ -89,6 +89,8 @@ void Write(const SoilState& state, const ModelData* data, OutputFile& file) {
 }  // namespace
 
 void SaveState(const std::string& path, const SoilState& state, const ModelData* data) {
+  std::error_code error;
+  if (std::filesystem::is_directory(path, error)) throw InputError(path + ": is a folder");
   OutputFile file(path);
   try {
     Write(state, data, file);

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <exception>
 #include <limits>
 
 #include "terrain/point_load.h"
@@ -133,10 +134,17 @@ class DirectStress : public StressField {
                       std::vector<float>* stress) const override {
     stress->assign(batch.columns() * batch.volumes, 0.0f);
     const int columns = static_cast<int>(batch.columns());
+    std::exception_ptr failure;  // none may leave the parallel region
 #pragma omp parallel for schedule(dynamic, 8) num_threads(threads_)
     for (int column = 0; column < columns; ++column) {
-      StressOfColumn(batch, load, column, &(*stress)[std::size_t(column) * batch.volumes]);
+      try {
+        StressOfColumn(batch, load, column, &(*stress)[std::size_t(column) * batch.volumes]);
+      } catch (...) {
+#pragma omp critical
+        failure = std::current_exception();
+      }
     }
+    if (failure != nullptr) std::rethrow_exception(failure);
   }
 
  private:

@@ -119,6 +119,13 @@ void Surface::DeepenPlastic(NodeSinkage plastic) {
   sinkage = std::max(sinkage, plastic.sinkage);
 }
 
+void Surface::Reserve(const std::vector<NodeSinkage>& nodes) {
+  for (std::size_t k = 0; k < nodes.size(); ++k) {
+    const bool is_next_tile = k == 0 || !(TileOf(nodes[k].node) == TileOf(nodes[k - 1].node));
+    if (is_next_tile) Touch(nodes[k].node);
+  }
+}
+
 double Surface::RutVolume() const {
   double depth = 0;
   tiles_.ForEach([&](TileIndex, const Tile& tile) {

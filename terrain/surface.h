@@ -79,6 +79,8 @@ class Surface {
   void SetCompaction(NodeSinkage compaction);
   // Bearing sinkage reached at a node. It never becomes less. Ignored in kCompaction.
   void DeepenPlastic(NodeSinkage plastic);
+  // From now on until the surface is copied, to set these nodes cannot fail for want of memory.
+  void Reserve(const std::vector<NodeSinkage>& nodes);
 
   double RutVolume() const;        // [m^3]  between undisturbed and present surface
   double DisplacedVolume() const;  // [m^3]  part of it that is not compaction

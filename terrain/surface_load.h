@@ -26,6 +26,10 @@ struct NodeForce {
 // In a fixed order: by source, then by tile and place in the tile.
 using SurfaceLoad = std::vector<NodeForce>;
 
+void Write(const SurfaceLoad& load, StateWriter& writer);
+// Of 0 to sources - 1. Throws InputError.
+SurfaceLoad ReadSurfaceLoad(StateReader& reader, int sources);
+
 // Impulses of one source. Each force is shared among the four nodes around it such that the sum
 // and the moment about the horizontal axes of its vertical part are kept.
 class LoadGatherer {
@@ -35,10 +39,12 @@ class LoadGatherer {
 
   // A force that acts for h [s].
   void Add(const SurfaceForce& force, double h);
+  // From now on until the object is copied, to add these forces cannot fail for want of memory.
+  void Reserve(const std::vector<SurfaceForce>& forces);
 
-  // Appends the mean over `period` [s] to `load` and starts anew. `height(GridNode)` [m].
+  // Appends the mean over `period` [s] to `load`. `height(GridNode)` [m].
   template <class Height>
-  void TakeMean(int source, double period, const Height& height, SurfaceLoad* load) {
+  void AddMean(int source, double period, const Height& height, SurfaceLoad* load) const {
     impulses_.ForEach([&](TileIndex index, const Tile& tile) {
       for (int place = 0; place < kTileSide * kTileSide; ++place) {
         if (tile[place].isZero(0)) continue;
@@ -47,8 +53,9 @@ class LoadGatherer {
                          tile[place] / period, source});
       }
     });
-    impulses_.Clear();
   }
+  // Starts anew.
+  void Clear() { impulses_.Clear(); }
 
   std::size_t BytesCopied() const { return impulses_.copied() * sizeof(Tile); }
   void Write(StateWriter& writer) const;
@@ -57,6 +64,12 @@ class LoadGatherer {
  private:
   using Tile = std::array<Eigen::Vector3d, kTileSide * kTileSide>;  // [N s]
   static Tile NoImpulse();
+  // Where a force acts: the least of the four nodes around it, and how far beyond, in cells.
+  struct Place {
+    GridNode node;
+    double u, v;
+  };
+  Place PlaceOf(const SurfaceForce& force) const;
   void AddAt(GridNode node, const Eigen::Vector3d& impulse_w);
 
   double spacing_;

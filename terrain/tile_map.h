@@ -48,13 +48,11 @@ class TileMap {
   }
 
   // The tile to write to, made by `make()` -> Tile if it is not there. It is this map's alone, and
-  // stays where it is, until the map is copied.
+  // stays where it is, until the map is copied: to touch it again cannot fail. If memory runs out,
+  // or make() throws, no tile has changed.
   template <class Make>
   Tile& Touch(TileIndex index, const Make& make) {
-    if (!blocks_) blocks_ = Cow<Blocks>::Make();
-    Cow<Block>& block = blocks_.Own()[BlockOf(index)];
-    if (!block) block = Cow<Block>::Make();
-    Cow<Tile>& tile = block.Own()[PlaceInBlock(index)];
+    Cow<Tile>& tile = BlockAt(BlockOf(index)).Own()[PlaceInBlock(index)];
     if (!tile) {
       tile = Cow<Tile>::Make(make());
       ++size_;
@@ -121,6 +119,14 @@ class TileMap {
   static TileIndex BlockOf(TileIndex index) { return {index.i >> 4, index.j >> 4}; }
   static int PlaceInBlock(TileIndex index) { return (index.i & 15) * kBlockSide + (index.j & 15); }
   static_assert(kBlockSide == 16, "BlockOf and PlaceInBlock shift by 4 bits");
+
+  Cow<Block>& BlockAt(TileIndex at) {
+    if (!blocks_) blocks_ = Cow<Blocks>::Make();
+    Blocks& blocks = blocks_.Own();
+    const auto found = blocks.find(at);
+    if (found != blocks.end()) return found->second;
+    return blocks.emplace(at, Cow<Block>::Make()).first->second;  // none is left without its block
+  }
 
   const Cow<Tile>* Slot(TileIndex index) const {
     if (!blocks_) return nullptr;
