@@ -1,5 +1,7 @@
 #include "tests/faults/failing_memory.h"
 
+#include <malloc.h>
+
 #include <atomic>
 #include <cstddef>
 #include <cstdlib>
@@ -12,6 +14,7 @@ thread_local bool is_this_thread = false;
 std::atomic<bool> is_armed{false};
 std::atomic<Whose> failing{Whose::kAnyThread};
 std::atomic<long> calls{0}, first_failure{0}, last_failure{0};
+std::atomic<long> allocated{0};  // [bytes]
 
 bool Fails() {
   if (!is_armed) return false;
@@ -23,7 +26,13 @@ bool Fails() {
 
 void* Allocated(void* memory) {
   if (memory == nullptr) throw std::bad_alloc();
+  allocated += static_cast<long>(malloc_usable_size(memory));
   return memory;
+}
+
+void Free(void* memory) {
+  allocated -= static_cast<long>(malloc_usable_size(memory));
+  std::free(memory);
 }
 
 }  // namespace
@@ -44,6 +53,8 @@ FailingMemory::~FailingMemory() {
 
 bool FailingMemory::HasFailed() const { return calls >= first_failure; }
 
+long AllocatedBytes() { return allocated; }
+
 }  // namespace softsoil
 
 void* operator new(std::size_t size) {
@@ -56,7 +67,9 @@ void* operator new(std::size_t size, std::align_val_t alignment) {
   return softsoil::Allocated(softsoil::Fails() ? nullptr : std::aligned_alloc(unit, whole));
 }
 
-void operator delete(void* memory) noexcept { std::free(memory); }
-void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
-void operator delete(void* memory, std::align_val_t) noexcept { std::free(memory); }
-void operator delete(void* memory, std::size_t, std::align_val_t) noexcept { std::free(memory); }
+void operator delete(void* memory) noexcept { softsoil::Free(memory); }
+void operator delete(void* memory, std::size_t) noexcept { softsoil::Free(memory); }
+void operator delete(void* memory, std::align_val_t) noexcept { softsoil::Free(memory); }
+void operator delete(void* memory, std::size_t, std::align_val_t) noexcept {
+  softsoil::Free(memory);
+}

@@ -21,4 +21,7 @@ class FailingMemory {
   bool HasFailed() const;
 };
 
+// Bytes that operator new has given to this program and that are in use.
+long AllocatedBytes();
+
 }  // namespace softsoil
