@@ -110,6 +110,7 @@ void SoilBinding::SetWheels(SoftWheelsState wheels, const PendingEvaluation& pen
   }
   std::swap(now_, pending_);
   is_pending_ = is_pending;
+  bytes_copied_ = soft_wheels_.ground().BytesCopied();  // another ground has counted for itself
 }
 
 SoilState SoilBinding::State(const mjData* d) {

@@ -20,6 +20,8 @@ using testing::HasSubstr;
 
 constexpr int kSteps = 25;  // more than two periods of the soil clock
 constexpr double kFuture = kSteps * 0.001;
+constexpr long kLeak = 4096;            // [bytes]
+constexpr long kHistory = 3 * 1000000;  // [bytes]  one of 1 MB, in which sizes are estimates
 
 double At(const Heights& heights, const std::pair<double, double>& node) {
   const auto it = heights.find(node);
@@ -84,6 +86,8 @@ class OutOfMemoryInAStep : public testing::TestWithParam<std::tuple<int, const c
   // All allocations of the drive, one after the other; later ones in longer strides.
   void FailEverywhere(Whose whose, long count) {
     int rested = 0, went_on = 0;
+    wheel_.Future(kFuture);
+    const long allocated = AllocatedBytes();
     for (long n = 1; Drive(whose, n, count); n += 1 + n / 40) {
       SCOPED_TRACE("allocation " + std::to_string(n) + ", step " + std::to_string(step_));
       if (softsoil_wheel_count(wheel_.d.get()) == 1) {
@@ -97,6 +101,9 @@ class OutOfMemoryInAStep : public testing::TestWithParam<std::tuple<int, const c
       ASSERT_EQ(wheel_.Future(kFuture), plain_);
       if (HasFailure()) return;
     }
+    wheel_.Future(kFuture);
+    EXPECT_LT(AllocatedBytes() - allocated, std::get<0>(GetParam()) > 0 ? kHistory : kLeak);
+    RecordProperty("grown", static_cast<int>(AllocatedBytes() - allocated));
     RecordProperty("rested", rested);
     RecordProperty("went_on", went_on);
     EXPECT_GT(rested + went_on, 20);
@@ -121,7 +128,7 @@ TEST_P(OutOfMemoryInAStep, ForGoodInAllThreads) { FailEverywhere(Whose::kAnyThre
 INSTANTIATE_TEST_SUITE_P(OfEveryKind, OutOfMemoryInAStep,
                          testing::Values(std::make_tuple(0, "threads=2"),
                                          std::make_tuple(0, "sync=1 threads=1"),
-                                         std::make_tuple(2, "threads=1")));
+                                         std::make_tuple(2, "threads=1 history=1")));
 
 // A call of the C interface, failing at every allocation in turn. What is asked does not change.
 void FailEverywhere(const std::function<int()>& call, const mjData* d) {
