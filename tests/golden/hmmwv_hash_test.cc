@@ -19,12 +19,12 @@
 namespace softsoil {
 namespace {
 
-constexpr std::uint64_t kGolden = 13180202563555777591u;
+constexpr std::uint64_t kGolden = 14192554836204609130u;
 
 constexpr char kScene[] = SOFTSOIL_SOURCE_DIR "/models/scenes/hmmwv_flat.xml";
 constexpr char kSettings[] = "soil_file=" SOFTSOIL_SOURCE_DIR
                              "/tests/golden/loose_loam.xml soil=loose_loam bumps=0.03,1.5,7 "
-                             "grid_spacing=0.08 volume_height=0.06 volumes=20 threads=";
+                             "grid_spacing=0.1 volume_height=0.08 volumes=15 threads=";
 
 double Ramp(double time, double start, double end) {
   return std::fmin(std::fmax((time - start) / (end - start), 0), 1);
