@@ -7,7 +7,8 @@ namespace softsoil {
 SoftWheels::SoftWheels(const Soil& soil, const GroundSettings& settings,
                        UndisturbedHeight undisturbed, const std::vector<Tire>& tires)
     : undisturbed_(soil, settings, std::move(undisturbed), static_cast<int>(tires.size())),
-      ground_(undisturbed_) {
+      ground_(undisturbed_),
+      plastic_(tires.size()) {
   for (const Tire& tire : tires) wheels_.emplace_back(tire, settings.grid_spacing);
 }
 
@@ -17,14 +18,20 @@ void SoftWheels::Evaluate(int wheel, const TirePose& pose, double h, PatchForces
 
 void SoftWheels::Commit(const std::vector<TirePose>& poses, const std::vector<PatchForces>& forces,
                         double h) {
+  // All that may fail comes first.
+  for (int wheel = 0; wheel < size(); ++wheel) {
+    if (ground_.settings().mode == SurfaceMode::kFlow) {
+      PlasticSinkage(tire(wheel), poses[wheel], forces[wheel].patch, ground_.soil(),
+                     &plastic_[wheel]);
+    }
+    ground_.Reserve(wheel, forces[wheel].surface, plastic_[wheel]);
+  }
+
   slip_ = nullptr;
   for (int wheel = 0; wheel < size(); ++wheel) {
     wheels_[wheel].Commit(forces[wheel]);
     ground_.AddLoad(wheel, forces[wheel].surface, h);
-    if (ground_.settings().mode == SurfaceMode::kFlow) {
-      PlasticSinkage(tire(wheel), poses[wheel], forces[wheel].patch, ground_.soil(), &plastic_);
-      ground_.DeepenPlastic(plastic_);
-    }
+    ground_.DeepenPlastic(plastic_[wheel]);
   }
   ground_.Pass(h);
 }

@@ -32,7 +32,8 @@ class SoftWheels {
   void Evaluate(int wheel, const TirePose& pose, double h, PatchForces* forces) const;
 
   // The time step of h [s] is accepted with these poses and forces, one per wheel: slip memory,
-  // plastic sinkage and load enter the history, and simulated time passes.
+  // plastic sinkage and load enter the history, and simulated time passes. If memory runs out the
+  // step is either not in the history at all, or it is and the tick of the soil clock is put off.
   void Commit(const std::vector<TirePose>& poses, const std::vector<PatchForces>& forces, double h);
 
   // Cheap after ShareSlip(), until the next step. From any number of threads.
@@ -53,10 +54,10 @@ class SoftWheels {
   Ground ground_;
   std::vector<WheelContact> wheels_;
   std::shared_ptr<const std::vector<SlipMemory>> slip_;  // theirs, if shared; else null
-  std::vector<NodeSinkage> plastic_;                     // scratch
+  std::vector<std::vector<NodeSinkage>> plastic_;        // scratch, by wheel
 };
 
-// Waits for the soil job in flight, and throws what it threw.
+// Waits for the soil job in flight.
 void Write(const SoftWheelsState& state, StateWriter& writer);
 
 }  // namespace softsoil

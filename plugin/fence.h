@@ -5,9 +5,9 @@
 
 #include <exception>
 #include <memory>
-#include <new>
 #include <string>
 
+#include "plugin/out_of_memory.h"
 #include "plugin/registry.h"
 #include "terrain/input_error.h"
 
@@ -22,10 +22,8 @@ int Fenced(const Body& body) {
     LastError().clear();
     body();
     return 0;
-  } catch (const std::bad_alloc&) {
-    LastError() = "there is no memory for more soil";
   } catch (const std::exception& error) {
-    LastError() = error.what();
+    Keep(MessageOf(error), &LastError());
   } catch (...) {
     LastError() = "unknown error";
   }

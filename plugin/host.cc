@@ -9,6 +9,7 @@
 
 #include "plugin/log.h"
 #include "plugin/mujoco_symbols.h"
+#include "plugin/out_of_memory.h"
 #include "plugin/rigid_contact.h"
 #include "terrain/input_error.h"
 
@@ -41,10 +42,8 @@ struct Failure {
 };
 
 void Note(const std::exception& error, Failure* failure) {
-  const bool memory = dynamic_cast<const std::bad_alloc*>(&error) != nullptr;
   failure->happened = true;
-  std::snprintf(failure->message, kLongestMessage, "%s",
-                memory ? "there is no memory for more soil" : error.what());
+  std::snprintf(failure->message, kLongestMessage, "%s", MessageOf(error));
 }
 
 // Ends the program the way its author wants errors to end it.
@@ -100,13 +99,15 @@ void Answer(const Failure& failure, const mjModel* m, mjData* d) {
     return;
   }
   const std::shared_ptr<SoilEntry> entry = Registry::Get().Find(d);
-  if (entry != nullptr && entry->fingerprint == FingerprintOf(m, d)) {
-    if (entry->soil != nullptr) entry->soil->RemoveForces(d);
-    entry->lost_because = failure.message;
-  } else {
-    PutEntry(m, d, nullptr, failure.message);
+  const bool is_known = entry != nullptr && entry->fingerprint == FingerprintOf(m, d);
+  if (is_known && entry->soil != nullptr) entry->soil->RemoveForces(d);
+  if (is_known) Keep(failure.message, &entry->lost_because);
+  try {
+    if (!is_known) PutEntry(m, d, nullptr, failure.message);
+    Say(std::string(failure.message) + "; the model runs without soft soil");
+  } catch (const std::bad_alloc&) {
+    std::fprintf(stderr, "softsoil: %s; the model runs without soft soil\n", kOutOfMemory);
   }
-  Say(std::string(failure.message) + "; the model runs without soft soil");
 }
 
 // The soil that the model asks for, null if it asks for none.
@@ -201,8 +202,11 @@ int OnContactFilter(const mjModel* m, mjData* d, int geom1, int geom2) {
 
 void OnFree(void* memory) {
   const std::shared_ptr<SoilEntry> entry = Registry::Get().Erase(memory);
-  if (entry != nullptr && entry->soil != nullptr) {
-    WarnIfPassedOver(*entry->soil, static_cast<const mjData*>(memory));
+  try {
+    if (entry != nullptr && entry->soil != nullptr) {
+      WarnIfPassedOver(*entry->soil, static_cast<const mjData*>(memory));
+    }
+  } catch (const std::bad_alloc&) {  // then there is no warning
   }
   if (host.earlier_free != nullptr) {
     host.earlier_free(memory);

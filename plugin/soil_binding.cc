@@ -1,6 +1,7 @@
 #include "plugin/soil_binding.h"
 
 #include <Eigen/Geometry>
+#include <cmath>
 #include <stdexcept>
 #include <utility>
 
@@ -53,6 +54,14 @@ WrenchRow RowOf(const Wrench& wrench) {
   return {f.x(), f.y(), f.z(), t.x(), t.y(), t.z()};
 }
 
+// What makes it impossible to tell what a step is; empty if nothing does.
+std::string TimeFault(const mjModel* m, const mjData* d) {
+  const double h = m->opt.timestep;
+  if (!std::isfinite(d->time)) return "the time is not finite";
+  if (h >= 0 && std::isfinite(h)) return "";
+  return "<option> timestep: must be >= 0 s, got " + Shown(h);
+}
+
 // What a state in the history takes besides what it shares with the one before.
 std::size_t OwnBytes(const SoilState& state) {
   std::size_t bytes = sizeof state + state.wheels.ground.OwnBytes();
@@ -80,18 +89,21 @@ SoilBinding::SoilBinding(std::shared_ptr<const SoilPlan> plan, const mjModel* m)
 }
 
 void SoilBinding::StartAfresh() {
-  soft_wheels_.SetState(soft_wheels_.Undisturbed());
-  bytes_copied_ = soft_wheels_.ground().BytesCopied();
-  SetPending({});
+  SetWheels(soft_wheels_.Undisturbed(), {});
   warned_of_depth_ = false;
 }
 
-void SoilBinding::SetPending(const PendingEvaluation& pending) {
-  is_pending_ = !pending.poses.empty();
-  pending_.poses = is_pending_ ? pending.poses : std::vector<TirePose>(shares_.size(), AtRest());
+void SoilBinding::SetWheels(SoftWheelsState wheels, const PendingEvaluation& pending) {
+  const bool is_pending = !pending.poses.empty();
+  std::vector<TirePose> poses =
+      is_pending ? pending.poses : std::vector<TirePose>(shares_.size(), AtRest());
+  soft_wheels_.SetState(std::move(wheels));
+  bytes_copied_ = soft_wheels_.ground().BytesCopied();  // another ground has counted for itself
+  pending_.poses = std::move(poses);
   pending_.h = pending.h;
   for (PatchForces& forces : pending_.forces) forces = PatchForces{};
-  has_forces_ = !is_pending_;
+  is_pending_ = is_pending;
+  has_forces_ = !is_pending;
   latest_ = &pending_;
 }
 
@@ -119,10 +131,8 @@ void SoilBinding::SetState(const SoilState& state, mjData* d) {
 
 void SoilBinding::Restore(const SoilState& state) {
   if (state.plan != plan_) RequireSame(IdentityOf(*state.plan), IdentityOf(*plan_), "the state");
-  soft_wheels_.SetState(state.wheels);
-  bytes_copied_ = soft_wheels_.ground().BytesCopied();
+  SetWheels(state.wheels, state.pending);
   watch_ = state.watch;
-  SetPending(state.pending);
   for (std::size_t i = 0; i < shares_.size(); ++i) shares_[i].Expect(state.shares[i]);
   is_restored_ = true;
 }
@@ -154,8 +164,8 @@ void SoilBinding::FollowMark(const mjData* d) {
   const RevisionMark mark = MarkIn(nuserdata_, d);
   if (mark == mark_ || (mark == other_mark_ && !mark.IsUndisturbed())) return;
   if (mark.IsUndisturbed()) {
-    watch_ = StepWatch{};
     StartAfresh();
+    watch_ = StepWatch{};
   } else {
     Restore(*StateOf(mark));
   }
@@ -174,16 +184,18 @@ void SoilBinding::LeaveMark(mjData* d) {
 
 void SoilBinding::OnPassive(const mjModel* m, mjData* d) {
   FollowMark(d);
+  const std::string fault = TimeFault(m, d);
+  if (!fault.empty()) {
+    GoWithout(fault, d);
+    return;
+  }
   const StepEvent event = watch_.See(m, d);
   LetHistoryPass(event, d->time);
   try {
     Evaluate(m, d);
   } catch (const std::runtime_error& error) {
     if (event != StepEvent::kTrial) is_pending_ = false;
-    latest_ = &pending_;
-    RemoveForces(d);
-    LeaveMark(d);
-    Say(std::string(error.what()) + "; no soil forces while that lasts");
+    GoWithout(error.what(), d);
     return;
   }
   WriteForces(d);
@@ -196,10 +208,17 @@ void SoilBinding::OnPassive(const mjModel* m, mjData* d) {
   LeaveMark(d);
 }
 
+void SoilBinding::GoWithout(const std::string& fault, mjData* d) {
+  latest_ = &pending_;
+  RemoveForces(d);
+  LeaveMark(d);
+  Say(fault + "; no soil forces while that lasts");
+}
+
 void SoilBinding::LetHistoryPass(StepEvent event, double time) {
   switch (event) {
     case StepEvent::kNextStep:
-      if (is_pending_) Commit();
+      if (std::exchange(is_pending_, false)) Commit();
       break;
     case StepEvent::kBack:
       if (is_restored_) {  // whoever restores a soil wants to keep it
@@ -231,7 +250,6 @@ void SoilBinding::ForgetSlip() {
 void SoilBinding::Commit() {
   CompletePending();
   soft_wheels_.Commit(pending_.poses, pending_.forces, pending_.h);
-  is_pending_ = false;
   if (warned_of_depth_ || !soft_wheels_.ground().LowestVolumeYields()) return;
   Say("warning: the lowest soil volume yields under this load; increase softsoil_volumes (" +
       std::to_string(plan_->terrain.volumes) + ")");
@@ -264,9 +282,9 @@ void SoilBinding::RemoveForces(mjData* d) {
 }
 
 void SoilBinding::Reset(mjData* d) {
+  StartAfresh();
   RemoveForces(d);
   watch_ = StepWatch{};
-  StartAfresh();
   mark_ = other_mark_ = RevisionMark{};
   if (history_ != nullptr) PutMark(mark_, nuserdata_, d);
 }

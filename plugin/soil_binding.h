@@ -4,6 +4,7 @@
 #include <mujoco/mujoco.h>
 
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "contact/soft_wheels.h"
@@ -21,8 +22,8 @@ class SoilBinding {
   SoilBinding& operator=(const SoilBinding&) = delete;
 
   // Adds the forces of the soil on the wheels to xfrc_applied, and lets history pass if a time
-  // step was accepted since the last call. If a pose is not finite, as in a simulation that
-  // diverges, it says so and leaves the wheels without soil until poses are finite again.
+  // step was accepted since the last call. If a pose or the time is not finite, as in a simulation
+  // that diverges, it says so and leaves the wheels without soil until they are finite again.
   //
   // Follows the mark first; throws what that throws.
   void OnPassive(const mjModel* m, mjData* d);
@@ -40,7 +41,7 @@ class SoilBinding {
   // The state of now, from any number of threads at a time, and one as it was, of the same plan or
   // one that gives the same soil. The rows of xfrc_applied and the mark in userdata belong to it.
   SoilState State(const mjData* d) const;
-  void SetState(const SoilState& state, mjData* d);
+  void SetState(const SoilState& state, mjData* d);  // throws InputError
   SoilState Undisturbed() const;
 
   // The state that a mark names. Throws InputError if it is not held.
@@ -71,7 +72,8 @@ class SoilBinding {
   };
 
   void StartAfresh();
-  void SetPending(const PendingEvaluation& pending);
+  // If it throws nothing has changed.
+  void SetWheels(SoftWheelsState wheels, const PendingEvaluation& pending);
   void CompletePending();
   void ForgetSlip();
   double* Row(mjData* d, std::size_t wheel) const {
@@ -82,6 +84,8 @@ class SoilBinding {
   }
   void Restore(const SoilState& state);
   void LeaveMark(mjData* d);
+  // Takes the forces away and says why.
+  void GoWithout(const std::string& fault, mjData* d);
   void LetHistoryPass(StepEvent event, double time);
   void Commit();
   void Evaluate(const mjModel* m, const mjData* d);

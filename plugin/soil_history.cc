@@ -53,12 +53,15 @@ SoilHistory::SoilHistory(std::size_t bytes)
 SoilHistory::~SoilHistory() { Histories::Get().Leave(id_); }
 
 void SoilHistory::Add(SoilState* state, std::size_t bytes) {
-  std::list<Entry> dropped;  // dies after the lock is released
+  std::list<Entry> added, dropped;  // die after the lock is released
   const std::lock_guard<std::mutex> lock(mutex_);
   const double revision = last_revision_ + 1;
   state->mark = {id_, revision};
-  entries_.push_back({revision, bytes, std::make_shared<SoilState>(*state)});
-  by_revision_[revision] = std::prev(entries_.end());
+  // All that may fail comes first.
+  added.push_back({revision, bytes, std::make_shared<SoilState>(*state)});
+  by_revision_.emplace(revision, added.begin());
+
+  entries_.splice(entries_.end(), added);
   last_revision_ = revision;
   bytes_ += bytes;
   while (bytes_ > bytes_allowed_ && entries_.size() > 1) {

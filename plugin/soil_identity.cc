@@ -50,6 +50,10 @@ void AddGround(const SoilPlan& plan, IdentityList* list) {
   list->Add("clock", s.soil_clock);
   list->Add("sync", s.sync ? 1 : 0);
   list->Add("mode", s.mode == SurfaceMode::kFlow ? "flow" : "compaction");
+  const NurbsBumps& b = plan.bumps;
+  list->Add("bumps", b.height == 0
+                         ? "none"
+                         : Shown(b.height) + "," + Shown(b.spacing) + "," + std::to_string(b.seed));
   // A function cannot be compared; samples of it can.
   for (const double x : {-37.21, 0.0, 1.37}) {
     for (const double y : {-23.43, 0.0, 1.71}) {

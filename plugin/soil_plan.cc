@@ -116,7 +116,8 @@ SoilPlan MakePlan(const mjModel* m, const Settings& settings) {
   plan.soil = ChooseSoil(settings);
   plan.terrain = settings.terrain;
   plan.ground = FindGroundPlane(m, settings.ground);
-  plan.ground.height = WithBumps(plan.ground.height, settings.bumps);
+  plan.bumps = settings.bumps;
+  plan.ground.height = WithBumps(plan.ground.height, plan.bumps);
   plan.wheels = FindWheels(m, settings.wheels);
   plan.tires = ChooseTires(m, plan.wheels, settings);
   plan.is_wheels = GeomsOfWheels(m, plan.wheels);

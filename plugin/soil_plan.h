@@ -16,7 +16,8 @@ namespace softsoil {
 struct SoilPlan {
   Soil soil;
   GroundSettings terrain;
-  GroundPlane ground;
+  GroundPlane ground;  // with the bumps
+  NurbsBumps bumps;
   std::vector<Wheel> wheels;
   std::vector<Tire> tires;      // by wheel
   std::vector<bool> is_wheels;  // by geom: it turns with a wheel

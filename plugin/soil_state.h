@@ -29,7 +29,7 @@ struct SoilState {
   RevisionMark mark;             // by which a mjData names it; none without a history
 };
 
-// Writes soil and pending evaluation. Waits for the soil job in flight, and throws what it threw.
+// Writes soil and pending evaluation. Waits for the soil job in flight.
 void Write(const SoilState& state, StateWriter& writer);
 // What Write() wrote of the same plan; shares and mark as in `undisturbed`. Throws InputError.
 SoilState ReadSoilState(StateReader& reader, const SoftWheels& wheels,

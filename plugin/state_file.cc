@@ -91,6 +91,8 @@ void WriteState(const SoilState& state, const ModelData* data, const StateWriter
 }
 
 void SaveState(const std::string& path, const SoilState& state, const ModelData* data) {
+  std::error_code error;
+  if (std::filesystem::is_directory(path, error)) throw InputError(path + ": is a folder");
   OutputFile file(path);
   try {
     WriteState(state, data, [&](const void* bytes, std::size_t n) { file.Write(bytes, n); });

@@ -20,8 +20,7 @@ struct ModelData {
 };
 
 // Complete or not at all: written under another name and renamed. `data` may be null: then the file
-// holds the soil alone. Throws std::runtime_error if the file cannot be written, and what a soil
-// job in flight threw.
+// holds the soil alone. Throws std::runtime_error if the file cannot be written.
 void SaveState(const std::string& path, const SoilState& state, const ModelData* data);
 
 // A soil state, and the mjData as it was saved if `data` is not null. `undisturbed` is that of the

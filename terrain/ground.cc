@@ -45,6 +45,12 @@ void Ground::AddLoad(int source, const std::vector<SurfaceForce>& forces, double
   for (const SurfaceForce& force : forces) gatherers_[source].Add(force, h);
 }
 
+void Ground::Reserve(int source, const std::vector<SurfaceForce>& forces,
+                     const std::vector<NodeSinkage>& plastic) {
+  gatherers_[source].Reserve(forces);
+  surface_.ReservePlastic(plastic);
+}
+
 void Ground::DeepenPlastic(const std::vector<NodeSinkage>& plastic) {
   for (const NodeSinkage& sinkage : plastic) surface_.DeepenPlastic(sinkage);
 }
@@ -52,53 +58,66 @@ void Ground::DeepenPlastic(const std::vector<NodeSinkage>& plastic) {
 void Ground::Pass(double h) {
   if (!clock_.Pass(h)) return;
   Join();
-  Start(TakeLoad(clock_.Elapsed()), clock_.Elapsed());
+  Start(clock_.Elapsed());
   if (settings_.sync) Join();
 }
 
-SurfaceLoad Ground::TakeLoad(double period) {
+SurfaceLoad Ground::MeanLoad(double period) const {
   SurfaceLoad load;
   const auto height = [this](GridNode node) { return surface_.NodeHeight(node); };
   for (std::size_t source = 0; source < gatherers_.size(); ++source) {
-    gatherers_[source].TakeMean(static_cast<int>(source), period, height, &load);
+    gatherers_[source].AddMean(static_cast<int>(source), period, height, &load);
   }
   return load;
 }
 
-void Ground::Start(SurfaceLoad load, double period) {
-  WorkerPool& pool = WorkerPool::Shared();
-  const auto job = std::make_shared<Job>();
-  job->load = std::move(load);
-  job->period = period;
-  auto advance = [job = job]() mutable {
-    try {
-      job->result = job->columns.Advance(job->load, job->period);
-    } catch (...) {
-      job->failure = std::current_exception();
-    }
-    job->load = {};  // copies of the ground may hold the job for long
-    job = nullptr;   // and job_done_ holds this function: tiles would count as shared
-  };
-  job->columns = std::move(columns_);
-  try {
-    job_done_ = pool.Run(std::move(advance)).share();
-  } catch (...) {
-    columns_ = std::move(job->columns);
-    throw;
-  }
+void Ground::Job::Do() {
+  result = columns.Advance(load, period);
+  load = {};  // copies of the ground may hold the job for long
+  is_done = true;
+}
+
+void Ground::Start(double period) {
+  // All that may fail comes first.
+  const auto job = std::make_shared<Job>(Job{columns_, MeanLoad(period), period});
+
+  job->columns = std::move(columns_);  // so that it shares no tile with this ground
+  for (LoadGatherer& gatherer : gatherers_) gatherer.Clear();
+  clock_.Restart();
   job_ = job;
+  job_done_ = {};
+  // Whatever fails here is tried again, and told, by DoneJob().
+  try {
+    job_done_ = WorkerPool::Shared()
+                    .Run([job = job]() mutable {
+                      const auto mine = std::move(job);  // job_done_ holds this function for long
+                      mine->Do();
+                    })
+                    .share();
+  } catch (...) {
+  }
+}
+
+std::shared_ptr<const Ground::Job> Ground::DoneJob() const {
+  if (job_done_.valid()) job_done_.wait();
+  if (job_->is_done) return job_;
+  const auto again = std::make_shared<Job>(Job{job_->columns, job_->load, job_->period});
+  again->Do();
+  return again;
 }
 
 void Ground::Join() {
   if (job_ == nullptr) return;
-  job_done_.wait();
-  // Should memory run out here, the next Join() does it again.
-  for (const NodeSinkage& c : job_->result.compaction) surface_.SetCompaction(c);
-  columns_ = job_->columns;
+  // All that may fail comes first.
+  const std::shared_ptr<const Job> job = DoneJob();
+  Columns columns = job->columns;
+  surface_.ReserveCompaction(job->result.compaction);
+
+  for (const NodeSinkage& c : job->result.compaction) surface_.SetCompaction(c);
+  columns_ = std::move(columns);
   column_bytes_copied_ = columns_.BytesCopied();
-  const std::shared_ptr<const Job> job = std::exchange(job_, nullptr);
-  if (job->failure != nullptr) std::rethrow_exception(job->failure);
   CountWork(job->result, job->period);
+  job_ = nullptr;
 }
 
 void Ground::CountWork(const PeriodResult& result, double period) {
@@ -112,7 +131,7 @@ void Ground::CountWork(const PeriodResult& result, double period) {
 
 const Columns& Ground::LatestColumns() const {
   if (job_ == nullptr) return columns_;
-  job_done_.wait();
+  if (job_done_.valid()) job_done_.wait();
   return job_->columns;
 }
 
@@ -135,10 +154,13 @@ std::size_t Ground::OwnBytes() const {
 }
 
 void Ground::Write(StateWriter& writer) const {
-  const Columns& columns = LatestColumns();  // waits
-  if (job_ != nullptr && job_->failure != nullptr) std::rethrow_exception(job_->failure);
+  std::shared_ptr<const Job> job = job_;
+  try {
+    if (job != nullptr) job = DoneJob();
+  } catch (...) {  // then it is written as one that is still to be done
+  }
   surface_.Write(writer);
-  columns.Write(writer);
+  (job != nullptr ? job->columns : columns_).Write(writer);
   clock_.Write(writer);
   for (const LoadGatherer& gatherer : gatherers_) gatherer.Write(writer);
   for (const CompactionWork& work : work_) {
@@ -146,10 +168,15 @@ void Ground::Write(StateWriter& writer) const {
     writer.Put(work.power);
   }
   writer.Put(lowest_volume_yields_);
-  writer.Put(job_ != nullptr);
-  if (job_ == nullptr) return;
-  writer.Put(job_->period);
-  softsoil::Write(job_->result, writer);
+  writer.Put(job != nullptr);
+  if (job == nullptr) return;
+  writer.Put(job->period);
+  writer.Put(job->is_done);
+  if (job->is_done) {
+    softsoil::Write(job->result, writer);
+  } else {
+    softsoil::Write(job->load, writer);
+  }
 }
 
 void Ground::Read(StateReader& reader) {
@@ -167,13 +194,14 @@ void Ground::Read(StateReader& reader) {
   if (!reader.GetFlag()) return;
   const double period = reader.GetFinite();
   reader.Require(period > 0, "a soil period");
-  job_ = std::make_shared<Job>();
-  job_->period = period;
-  job_->result = ReadPeriodResult(reader);
-  job_->columns = std::move(columns_);
-  std::promise<void> done;
-  job_done_ = done.get_future().share();
-  done.set_value();
+  const auto job = std::make_shared<Job>(Job{std::move(columns_), {}, period});
+  job->is_done = reader.GetFlag();
+  if (job->is_done) {
+    job->result = ReadPeriodResult(reader);
+  } else {
+    job->load = ReadSurfaceLoad(reader, static_cast<int>(gatherers_.size()), kMostPressure * area);
+  }
+  job_ = job;
 }
 
 }  // namespace softsoil

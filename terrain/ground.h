@@ -2,7 +2,6 @@
 // on the soil clock.
 #pragma once
 
-#include <exception>
 #include <future>
 #include <memory>
 #include <vector>
@@ -51,14 +50,18 @@ class Ground {
   const Surface& surface() const { return surface_; }
 
   // History. Forces [N] of one source that acted on the ground for h [s], and the bearing sinkage
-  // it reached. The surface yields to the latter at once.
+  // it reached. The surface yields to the latter at once. Neither can fail after Reserve() with the
+  // same, which changes nothing else.
+  void Reserve(int source, const std::vector<SurfaceForce>& forces,
+               const std::vector<NodeSinkage>& plastic);
   void AddLoad(int source, const std::vector<SurfaceForce>& forces, double h);
   void DeepenPlastic(const std::vector<NodeSinkage>& plastic);
 
   // Lets h [s] of simulated time pass. At a tick of the soil clock the job of the tick before is
   // awaited, its heights become the surface, and the mean load of the period is handed to the
   // next job; with `sync` that job is awaited at once and its heights become the surface without
-  // lag. Throws what a job threw; the ground is then without the load of the job's period.
+  // lag. If memory runs out, or a job throws, the tick is put off to the next call and nothing is
+  // lost: a job that failed is done again by whoever waits for it.
   void Pass(double h);
 
   // Of the heights that are in the surface; a job in flight is not counted.
@@ -75,7 +78,7 @@ class Ground {
   std::size_t BytesCopied() const;
   std::size_t OwnBytes() const;
 
-  // All that the future depends on. Write() waits for the job in flight and throws what it threw.
+  // All that the future depends on. Write() waits for the job in flight.
   // Read() is for a ground as just made; it throws InputError, and then the ground is of no use.
   void Write(StateWriter& writer) const;
   void Read(StateReader& reader);
@@ -87,13 +90,17 @@ class Ground {
     Columns columns;
     SurfaceLoad load;
     double period;  // [s]
-    PeriodResult result;
-    std::exception_ptr failure;  // null; or there is no result
+    PeriodResult result = {};
+    bool is_done = false;  // else there is no result yet, and columns are as they were
+
+    void Do();
   };
 
-  SurfaceLoad TakeLoad(double period);
-  void Start(SurfaceLoad load, double period);
+  SurfaceLoad MeanLoad(double period) const;
+  void Start(double period);
   void Join();
+  // The job in flight, done. Throws what it throws.
+  std::shared_ptr<const Job> DoneJob() const;
   void CountWork(const PeriodResult& result, double period);
   const Columns& LatestColumns() const;
 

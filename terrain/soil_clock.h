@@ -11,15 +11,15 @@ class SoilClock {
   // period [s] > 0.
   explicit SoilClock(double period) : period_(period) {}
 
-  // Passes h [s] of simulated time; true when a period is full. Then Elapsed() is its length,
-  // which differs from the nominal one if the time step does not divide it.
+  // Passes h [s] of simulated time; true from when a period is full to Restart(). Then Elapsed() is
+  // its length, which differs from the nominal one if the time step does not divide it.
   bool Pass(double h) {
-    if (full_) elapsed_ = 0;
     elapsed_ += h;
-    full_ = elapsed_ > period_ - h / 2;
+    full_ = full_ || elapsed_ > period_ - h / 2;
     return full_;
   }
   double Elapsed() const { return elapsed_; }
+  void Restart() { *this = SoilClock(period_); }
 
   void Write(StateWriter& writer) const {
     writer.Put(elapsed_);

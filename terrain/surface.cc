@@ -110,19 +110,35 @@ double& Surface::Touch(Cow<Heights> Tile::*part, GridNode node) {
   return heights.Own()[PlaceInTile(node)];
 }
 
-void Surface::SetCompaction(NodeSinkage compaction) {
+bool Surface::Compacts(NodeSinkage compaction) const {
   const Tile* tile = tiles_.Find(TileOf(compaction.node));
-  const int place = PlaceInTile(compaction.node);
-  if (tile != nullptr && (*tile->compaction)[place] == compaction.sinkage) return;
-  Touch(&Tile::compaction, compaction.node) = compaction.sinkage;
+  return tile == nullptr || (*tile->compaction)[PlaceInTile(compaction.node)] != compaction.sinkage;
+}
+
+bool Surface::Deepens(NodeSinkage plastic) const {
+  if (mode_ != SurfaceMode::kFlow) return false;
+  const Tile* tile = tiles_.Find(TileOf(plastic.node));
+  return tile == nullptr || (*tile->plastic)[PlaceInTile(plastic.node)] < plastic.sinkage;
+}
+
+void Surface::SetCompaction(NodeSinkage compaction) {
+  if (Compacts(compaction)) Touch(&Tile::compaction, compaction.node) = compaction.sinkage;
 }
 
 void Surface::DeepenPlastic(NodeSinkage plastic) {
-  if (mode_ != SurfaceMode::kFlow) return;
-  const Tile* tile = tiles_.Find(TileOf(plastic.node));
-  if (tile != nullptr && (*tile->plastic)[PlaceInTile(plastic.node)] >= plastic.sinkage) return;
-  double& sinkage = Touch(&Tile::plastic, plastic.node);
-  sinkage = std::max(sinkage, plastic.sinkage);
+  if (Deepens(plastic)) Touch(&Tile::plastic, plastic.node) = plastic.sinkage;
+}
+
+void Surface::ReserveCompaction(const std::vector<NodeSinkage>& compaction) {
+  for (const NodeSinkage& c : compaction) {
+    if (Compacts(c)) Touch(&Tile::compaction, c.node);
+  }
+}
+
+void Surface::ReservePlastic(const std::vector<NodeSinkage>& plastic) {
+  for (const NodeSinkage& p : plastic) {
+    if (Deepens(p)) Touch(&Tile::plastic, p.node);
+  }
 }
 
 double Surface::RutVolume() const {

@@ -79,6 +79,9 @@ class Surface {
   void SetCompaction(NodeSinkage compaction);
   // Bearing sinkage reached at a node. It never becomes less. Ignored in kCompaction.
   void DeepenPlastic(NodeSinkage plastic);
+  // From now on until the surface is copied, to set these cannot fail for want of memory.
+  void ReserveCompaction(const std::vector<NodeSinkage>& compaction);
+  void ReservePlastic(const std::vector<NodeSinkage>& plastic);
 
   double RutVolume() const;        // [m^3]  between undisturbed and present surface
   double DisplacedVolume() const;  // [m^3]  part of it that is not compaction
@@ -99,6 +102,9 @@ class Surface {
     Cow<Heights> undisturbed, compaction, plastic;
   };
   Tile MakeTile(TileIndex index) const;
+  // Whether a node does not read so already.
+  bool Compacts(NodeSinkage compaction) const;
+  bool Deepens(NodeSinkage plastic) const;
   // Where a node is written to.
   double& Touch(Cow<Heights> Tile::*part, GridNode node);
   double Sinkage(const Tile& tile, int place) const;

@@ -3,13 +3,45 @@
 #include <algorithm>
 #include <cmath>
 
+#include "terrain/surface.h"
+
 namespace softsoil {
 
-void LoadGatherer::Add(const SurfaceForce& force, double h) {
+void Write(const SurfaceLoad& load, StateWriter& writer) {
+  writer.Put(static_cast<std::uint64_t>(load.size()));
+  for (const NodeForce& f : load) {
+    writer.Put(f.node);
+    for (const double value : {f.x, f.y, f.z}) writer.Put(value);
+    writer.PutBytes(f.force_w.data(), sizeof f.force_w);
+    writer.Put(f.source);
+  }
+}
+
+SurfaceLoad ReadSurfaceLoad(StateReader& reader, int sources, double most) {
+  constexpr std::size_t kBytes = sizeof(GridNode) + 6 * sizeof(double) + sizeof(int);
+  SurfaceLoad load(reader.Count(kBytes));
+  for (NodeForce& f : load) {
+    f.node = reader.Get<GridNode>();
+    for (double* value : {&f.x, &f.y, &f.z}) *value = reader.GetFinite();
+    reader.GetFinite(f.force_w.data(), 3);
+    f.source = reader.Get<int>();
+    reader.Require(IsOnGrid(TileOf(f.node)), "a node of the load");
+    reader.Require(Eigen::Vector3d(f.x, f.y, f.z).cwiseAbs().maxCoeff() <= kFarthest,
+                   "the place of a load");
+    reader.Require(f.force_w.cwiseAbs().maxCoeff() <= most, "a load");
+    reader.Require(f.source >= 0 && f.source < sources, "the source of a load");
+  }
+  return load;
+}
+
+LoadGatherer::Cell LoadGatherer::CellOf(const SurfaceForce& force) const {
   const double gx = force.point_w.x() / spacing_, gy = force.point_w.y() / spacing_;
   const double i = std::floor(gx), j = std::floor(gy);
-  const double u = gx - i, v = gy - j;
-  const GridNode node{static_cast<int>(i), static_cast<int>(j)};
+  return {{static_cast<int>(i), static_cast<int>(j)}, gx - i, gy - j};
+}
+
+void LoadGatherer::Add(const SurfaceForce& force, double h) {
+  const auto [node, u, v] = CellOf(force);
   const Eigen::Vector3d impulse = h * force.force_w;
   At(node) += (1 - u) * (1 - v) * impulse;
   At({node.i + 1, node.j}) += u * (1 - v) * impulse;
@@ -17,10 +49,20 @@ void LoadGatherer::Add(const SurfaceForce& force, double h) {
   At({node.i + 1, node.j + 1}) += u * v * impulse;
 }
 
+void LoadGatherer::Reserve(const std::vector<SurfaceForce>& forces) {
+  for (const SurfaceForce& force : forces) {
+    const GridNode node = CellOf(force).node;
+    for (const int i : {node.i, node.i + 1}) {
+      for (const int j : {node.j, node.j + 1}) At({i, j});
+    }
+  }
+}
+
 Eigen::Vector3d& LoadGatherer::At(GridNode node) {
   if (places_.map.size() == 0) {
-    for (std::size_t k = 0; k < impulses_.size(); ++k)
+    for (std::size_t k = 0; k < impulses_.size(); ++k) {
       PlaceOf(impulses_[k].node) = static_cast<int>(k);
+    }
   }
   int& place = PlaceOf(node);
   if (place < 0) {

@@ -26,6 +26,10 @@ struct NodeForce {
 // In a fixed order: by source, then by tile and place in the tile.
 using SurfaceLoad = std::vector<NodeForce>;
 
+void Write(const SurfaceLoad& load, StateWriter& writer);
+// Of the sources 0 to sources - 1. Throws InputError, also if a force [N] exceeds `most`.
+SurfaceLoad ReadSurfaceLoad(StateReader& reader, int sources, double most);
+
 // Impulses of one source. Each force is shared among the four nodes around it such that the sum
 // and the moment about the horizontal axes of its vertical part are kept.
 class LoadGatherer {
@@ -35,17 +39,22 @@ class LoadGatherer {
 
   // A force that acts for h [s].
   void Add(const SurfaceForce& force, double h);
+  // From now on until the object is copied, to add these forces cannot fail for want of memory.
+  void Reserve(const std::vector<SurfaceForce>& forces);
 
-  // Appends the mean over `period` [s] to `load` and starts anew. `height(GridNode)` [m].
+  // Appends the mean over `period` [s] to `load`. `height(GridNode)` [m].
   template <class Height>
-  void TakeMean(int source, double period, const Height& height, SurfaceLoad* load) {
+  void AddMean(int source, double period, const Height& height, SurfaceLoad* load) const {
     for (const auto& [node, impulse_w] : InOrder()) {
       if (impulse_w.isZero(0)) continue;
       load->push_back(
           {node, node.i * spacing_, node.j * spacing_, height(node), impulse_w / period, source});
     }
+  }
+  // Starts anew.
+  void Clear() {
     impulses_.clear();
-    places_ = {};
+    places_.map.Clear();
   }
 
   std::size_t MemoryBytes() const { return impulses_.size() * sizeof(Impulse); }
@@ -69,6 +78,12 @@ class LoadGatherer {
     }
     TileMap<std::array<int, kTileSide * kTileSide>> map;
   };
+  // Where a force acts: the least of the four nodes around it, and how far beyond, in cells.
+  struct Cell {
+    GridNode node;
+    double u, v;
+  };
+  Cell CellOf(const SurfaceForce& force) const;
   std::vector<Impulse> InOrder() const;
   Eigen::Vector3d& At(GridNode node);
   int& PlaceOf(GridNode node);

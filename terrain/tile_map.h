@@ -67,7 +67,8 @@ class TileMap {
   }
 
   // The tile to write to, made by `make()` -> Tile if it is not there. It is this map's alone, and
-  // stays where it is, until the map is copied.
+  // stays where it is, until the map is copied: to touch it again cannot fail. If memory runs out,
+  // or make() throws, no tile has changed.
   template <class Make>
   Tile& Touch(TileIndex index, const Make& make) {
     Cow<Tile>& tile = OwnBlock(BlockOf(index))[PlaceInBlock(index)];

@@ -1,11 +1,14 @@
 #include "terrain/xml_catalogue.h"
 
+#include <dirent.h>
+
 #include <algorithm>
+#include <cerrno>
 #include <cmath>
 #include <cstring>
 #include <filesystem>
+#include <memory>
 #include <sstream>
-#include <system_error>
 
 namespace softsoil {
 namespace {
@@ -214,12 +217,14 @@ void ForEachEntryIn(const std::string& text, const std::string& file, const std:
 }
 
 std::vector<std::string> XmlFilesIn(const std::string& folder) {
-  std::error_code error;
+  // Not std::filesystem::directory_iterator: that of libstdc++ ends the program if memory runs out.
+  const std::unique_ptr<DIR, int (*)(DIR*)> entries(opendir(folder.c_str()), &closedir);
+  if (entries == nullptr) throw InputError(folder + ": " + std::strerror(errno));
   std::vector<std::string> files;
-  for (const auto& item : std::filesystem::directory_iterator(folder, error)) {
-    if (item.path().extension() == ".xml") files.push_back(item.path().string());
+  while (const dirent* entry = readdir(entries.get())) {
+    const std::filesystem::path file = std::filesystem::path(folder) / entry->d_name;
+    if (file.extension() == ".xml") files.push_back(file.string());
   }
-  if (error) throw InputError(folder + ": " + error.message());
   std::sort(files.begin(), files.end());
   return files;
 }

@@ -4,8 +4,8 @@
        ^                          +----  plugin
        +----  cuda  <-------------+
 
-mujoco.h is included in plugin/, tests/plugin/, tests/benchmark/ and examples/ and nowhere else. The tests
-of a folder obey the rule of that folder. Run with no arguments: checks this tree, and that the check itself finds
+mujoco.h is included in plugin/, its tests in tests/plugin/, tests/faults/ and tests/golden/, tests/benchmark/ and examples/ and
+nowhere else. The tests of a folder obey the rule of that folder. Run with no arguments: checks this tree, and that the check itself finds
 every kind of breach in a tree made for the purpose.
 """
 import pathlib
@@ -25,6 +25,8 @@ FORBIDDEN = {
     "tests/contact": {"cuda", "plugin", "mujoco"},
     "tests/cuda": {"contact", "plugin", "mujoco"},
     "tests/plugin": set(),
+    "tests/faults": set(),
+    "tests/golden": set(),
     "tests/benchmark": set(),
     "tests": {"mujoco"},
     "examples": set(),

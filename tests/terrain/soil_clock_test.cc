@@ -12,7 +12,9 @@ std::vector<double> Periods(double period, double h, int steps) {
   SoilClock clock(period);
   std::vector<double> lengths;
   for (int i = 0; i < steps; ++i) {
-    if (clock.Pass(h)) lengths.push_back(clock.Elapsed());
+    if (!clock.Pass(h)) continue;
+    lengths.push_back(clock.Elapsed());
+    clock.Restart();
   }
   return lengths;
 }

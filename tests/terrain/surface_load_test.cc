@@ -13,8 +13,9 @@ constexpr double kDx = 0.025;  // [m]
 
 SurfaceLoad Mean(LoadGatherer& gatherer, double period) {
   SurfaceLoad load;
-  gatherer.TakeMean(
+  gatherer.AddMean(
       0, period, [](GridNode) { return 0.0; }, &load);
+  gatherer.Clear();
   return load;
 }
 
@@ -86,7 +87,7 @@ TEST(SurfaceLoad, StandsAtTheHeightOfTheSurface) {
   LoadGatherer gatherer(0.25);
   gatherer.Add({{-0.75, 1.75, 99}, {0, 0, -100}}, 0.01);
   SurfaceLoad load;
-  gatherer.TakeMean(
+  gatherer.AddMean(
       2, 0.01, [](GridNode node) { return node.i + 100.0 * node.j; }, &load);
   ASSERT_EQ(load.size(), 1u);
   EXPECT_EQ(load[0].node.i, -3);
