@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# Installs what is missing, builds and runs every test: the release build, then the same tests under address and
-# undefined behaviour sanitizers and under the thread sanitizer, then every fuzz target for a while.
-# Arguments go to ctest, and then the release build alone is tested: ./tests/run.sh -R Rut
+# Installs what is missing, builds and runs every test. Arguments go to ctest: ./tests/run.sh -R Rut
+#   ./tests/run.sh --sanitizers   the same tests under address and undefined behaviour sanitizers and under the thread
+#                                 sanitizer, and every fuzz target for a while, instead
 set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/setup.sh"
 
@@ -10,13 +10,15 @@ run_tests() {
 }
 
 install_packages
-build release all benchmarks
-run_tests release "$@"
-[[ $# -eq 0 ]] || exit 0
+if [[ ${1:-} != --sanitizers ]]; then
+  build release all benchmarks
+  run_tests release "$@"
+  exit
+fi
 
 install_packages "${sanitizer_packages[@]}"
 for preset in asan tsan fuzz; do
   echo "Preset $preset"
   build "$preset"
-  run_tests "$preset"
+  run_tests "$preset" "${@:2}"
 done
