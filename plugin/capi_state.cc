@@ -1,5 +1,4 @@
 // The C interface: the soil as state.
-#include <cstring>
 #include <memory>
 #include <string>
 

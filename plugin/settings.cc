@@ -4,11 +4,11 @@
 #include <cmath>
 #include <cstring>
 #include <set>
-#include <thread>
 
 #include "plugin/model_geometry.h"
 #include "plugin/words.h"
 #include "terrain/input_error.h"
+#include "terrain/processors.h"
 
 namespace softsoil {
 namespace {
@@ -122,7 +122,7 @@ double Number(const std::string& text) {
 
 Settings Defaults() {
   Settings settings;
-  const double processors = std::thread::hardware_concurrency();
+  const double processors = Processors();
   settings.terrain.threads =
       static_cast<int>(std::clamp(processors, kThreadsLimits.least, kThreadsLimits.most));
   return settings;

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "terrain/output_file.h"
 #include "plugin/softsoil.h"
+#include "terrain/output_file.h"
 
 namespace softsoil {
 

@@ -12,7 +12,6 @@
 #include "plugin/cli/drawbar_table.h"
 #include "plugin/cli/in_parallel.h"
 #include "plugin/cli/mujoco_messages.h"
-#include "terrain/output_file.h"
 #include "plugin/cli/picture.h"
 #include "plugin/cli/result_folder.h"
 #include "plugin/cli/rigid_wheel.h"
@@ -21,6 +20,7 @@
 #include "plugin/cli/torque_history.h"
 #include "terrain/input_error.h"
 #include "terrain/limits.h"
+#include "terrain/output_file.h"
 #include "terrain/soil.h"
 
 namespace softsoil {

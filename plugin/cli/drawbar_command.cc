@@ -5,7 +5,6 @@
 #include <memory>
 #include <optional>
 #include <string>
-#include <thread>
 #include <vector>
 
 #include "plugin/cli/commands.h"
@@ -13,6 +12,7 @@
 #include "plugin/cli/number_range.h"
 #include "plugin/cli/rigid_wheel.h"
 #include "terrain/input_error.h"
+#include "terrain/processors.h"
 
 namespace softsoil {
 namespace {
@@ -33,7 +33,7 @@ struct Line {
   std::string mode = "slip", slip, spin, contact_times;
   std::vector<std::string> settings;
   std::optional<double> c_1, c_2;
-  int threads = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
+  int threads = Processors();
   bool no_picture = false;
   CLI::App* command = nullptr;
 

@@ -9,8 +9,8 @@
 
 #include "plugin/cli/csv_cell.h"
 #include "plugin/cli/mujoco_messages.h"
-#include "terrain/output_file.h"
 #include "terrain/input_error.h"
+#include "terrain/output_file.h"
 
 namespace softsoil {
 namespace {

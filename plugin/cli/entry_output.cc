@@ -5,9 +5,9 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
-#include "terrain/output_file.h"
 #include "plugin/cli/picture.h"
 #include "terrain/input_error.h"
+#include "terrain/output_file.h"
 
 namespace softsoil {
 namespace {

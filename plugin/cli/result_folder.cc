@@ -8,8 +8,8 @@
 #include <cstring>
 #include <filesystem>
 
-#include "terrain/output_file.h"
 #include "terrain/input_error.h"
+#include "terrain/output_file.h"
 
 namespace softsoil {
 namespace {

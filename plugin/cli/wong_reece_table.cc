@@ -5,9 +5,9 @@
 #include <nlohmann/json.hpp>
 
 #include "plugin/cli/csv_cell.h"
-#include "terrain/output_file.h"
 #include "plugin/cli/standard_output.h"
 #include "terrain/constants.h"
+#include "terrain/output_file.h"
 
 namespace softsoil {
 namespace {

@@ -10,10 +10,10 @@
 
 #include "plugin/cli/contact_log.h"
 #include "plugin/cli/npy.h"
-#include "terrain/output_file.h"
 #include "plugin/cli/wheel_columns.h"
 #include "plugin/cli/wheel_log.h"
 #include "terrain/input_error.h"
+#include "terrain/output_file.h"
 
 namespace softsoil {
 namespace {

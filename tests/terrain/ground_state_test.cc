@@ -10,6 +10,7 @@
 #include "terrain/ground.h"
 #include "terrain/input_error.h"
 #include "tests/terrain/pressed_ground.h"
+#include "tests/terrain/written_bytes.h"
 
 namespace softsoil {
 namespace {
@@ -33,17 +34,6 @@ void Drive(Ground& ground, int from, int steps) {
     ground.DeepenPlastic({{plate.centre, 0.01 + 0.0001 * step}});
     ground.Pass(0.001);
   }
-}
-
-std::vector<unsigned char> BytesOf(const Ground& ground) {
-  std::vector<unsigned char> bytes;
-  StateWriter writer([&](const void* data, std::size_t count) {
-    const auto* first = static_cast<const unsigned char*>(data);
-    bytes.insert(bytes.end(), first, first + count);
-  });
-  ground.Write(writer);
-  writer.Finish();
-  return bytes;
 }
 
 class GroundState : public testing::TestWithParam<bool> {};

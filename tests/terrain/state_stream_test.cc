@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "terrain/input_error.h"
+#include "tests/terrain/written_bytes.h"
 
 namespace softsoil {
 namespace {
@@ -15,20 +16,9 @@ namespace {
 using testing::ElementsAre;
 using testing::ThrowsMessage;
 
-std::vector<unsigned char> BytesOf(const std::function<void(StateWriter&)>& write) {
-  std::vector<unsigned char> bytes;
-  StateWriter writer([&](const void* data, std::size_t count) {
-    const auto* first = static_cast<const unsigned char*>(data);
-    bytes.insert(bytes.end(), first, first + count);
-  });
-  write(writer);
-  writer.Finish();
-  return bytes;
-}
-
 TEST(StateStream, IsReadAsItWasWritten) {
   const std::vector<double> numbers = {1, -0.0, 1e300};
-  const auto bytes = BytesOf([&](StateWriter& to) {
+  const auto bytes = WrittenBytes([&](StateWriter& to) {
     to.Put(std::uint32_t{7});
     to.PutAll(numbers);
     to.PutText("loam");
@@ -45,7 +35,7 @@ TEST(StateStream, IsReadAsItWasWritten) {
 }
 
 TEST(StateStream, RefusesWhatIsNotThere) {
-  const auto bytes = BytesOf([](StateWriter& to) { to.Put(~std::uint64_t{0}); });
+  const auto bytes = WrittenBytes([](StateWriter& to) { to.Put(~std::uint64_t{0}); });
   const auto reader = [&] { return StateReader(bytes.data(), bytes.size()); };
   const auto damaged = [](const char* what) {
     return ThrowsMessage<InputError>("the state is damaged: " + std::string(what) +

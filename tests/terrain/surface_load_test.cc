@@ -6,6 +6,8 @@
 #include <random>
 #include <stdexcept>
 
+#include "tests/terrain/written_bytes.h"
+
 namespace softsoil {
 namespace {
 
@@ -115,32 +117,21 @@ TEST(SurfaceLoad, StartsAnewAfterEveryPeriod) {
 
 constexpr double kMostImpulse = 100;  // [N s]
 
-std::vector<unsigned char> Written(const LoadGatherer& gatherer) {
-  std::vector<unsigned char> bytes;
-  StateWriter writer([&](const void* data, std::size_t count) {
-    const auto* first = static_cast<const unsigned char*>(data);
-    bytes.insert(bytes.end(), first, first + count);
-  });
-  gatherer.Write(writer);
-  writer.Finish();
-  return bytes;
-}
-
 TEST(SurfaceLoad, GoesOnAlikeInACopyAndWhenWrittenAndRead) {
   const std::vector<SurfaceForce> forces = RandomForces(300);
   LoadGatherer plain(kDx);
   for (int i = 0; i < 150; ++i) plain.Add(forces[i], 0.01);
   LoadGatherer copy = plain, read(kDx);
-  const std::vector<unsigned char> bytes = Written(plain);
+  const std::vector<unsigned char> bytes = BytesOf(plain);
   StateReader reader(bytes.data(), bytes.size());
   read.Read(reader, kMostImpulse);
-  EXPECT_EQ(Written(read), bytes);
+  EXPECT_EQ(BytesOf(read), bytes);
   for (LoadGatherer* gatherer : {&plain, &copy, &read}) {
     for (int i = 150; i < 300; ++i) gatherer->Add(forces[i], 0.01);
   }
-  EXPECT_GT(Written(plain).size(), bytes.size());
-  EXPECT_EQ(Written(copy), Written(plain));
-  EXPECT_EQ(Written(read), Written(plain));
+  EXPECT_GT(BytesOf(plain).size(), bytes.size());
+  EXPECT_EQ(BytesOf(copy), BytesOf(plain));
+  EXPECT_EQ(BytesOf(read), BytesOf(plain));
 }
 
 // So that sums over a load have the same bits.
@@ -150,13 +141,13 @@ TEST(SurfaceLoad, IsInTheSameOrderHoweverItCameAbout) {
     forward.Add({{k * kDx, -k % 50 * kDx, 0}, {0, 0, -100}}, 0.01);
     backward.Add({{-k * kDx, k % 50 * kDx, 0}, {0, 0, -100}}, 0.01);
   }
-  EXPECT_EQ(Written(forward), Written(backward));
+  EXPECT_EQ(BytesOf(forward), BytesOf(backward));
 }
 
 TEST(SurfaceLoad, IsRefusedWithANodeTwice) {
   LoadGatherer gatherer(kDx), read(kDx);
   gatherer.Add({{0.5 * kDx, 0, 0}, {0, 0, -100}}, 0.01);
-  std::vector<unsigned char> bytes = Written(gatherer);
+  std::vector<unsigned char> bytes = BytesOf(gatherer);
   const std::size_t node = sizeof(std::uint64_t), next = node + sizeof(GridNode) + 24;
   std::copy_n(&bytes[node], sizeof(GridNode), &bytes[next]);
   StateReader reader(bytes.data(), bytes.size());
@@ -166,7 +157,7 @@ TEST(SurfaceLoad, IsRefusedWithANodeTwice) {
 TEST(SurfaceLoad, IsRefusedWithMoreThanAnyLoad) {
   LoadGatherer gatherer(kDx), read(kDx);
   gatherer.Add({{0, 0, 0}, {0, 0, -1000}}, 0.01);
-  const std::vector<unsigned char> bytes = Written(gatherer);
+  const std::vector<unsigned char> bytes = BytesOf(gatherer);
   StateReader enough(bytes.data(), bytes.size()), too_little(bytes.data(), bytes.size());
   EXPECT_NO_THROW(read.Read(enough, 10));
   EXPECT_THROW(read.Read(too_little, 9.9), std::runtime_error);

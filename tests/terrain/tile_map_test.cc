@@ -5,6 +5,8 @@
 #include <memory>
 #include <vector>
 
+#include "tests/terrain/written_bytes.h"
+
 namespace softsoil {
 namespace {
 
@@ -102,13 +104,9 @@ TEST(TileMap, IsReadAsItWasWritten) {
   for (const TileIndex index : {TileIndex{3, 1}, {-20, 5}, {3, -40}}) {
     Touch(map, index).value = 100 * index.i + index.j;
   }
-  std::vector<unsigned char> bytes;
-  StateWriter writer([&](const void* data, std::size_t count) {
-    const auto* first = static_cast<const unsigned char*>(data);
-    bytes.insert(bytes.end(), first, first + count);
+  const std::vector<unsigned char> bytes = WrittenBytes([&](StateWriter& writer) {
+    map.Write(writer, [](StateWriter& to, const Tile& tile) { to.Put(tile.value); });
   });
-  map.Write(writer, [](StateWriter& to, const Tile& tile) { to.Put(tile.value); });
-  writer.Finish();
 
   const auto read = [&](std::size_t count) {
     Map copy;
