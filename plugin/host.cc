@@ -7,10 +7,12 @@
 #include <string>
 #include <utility>
 
+#include "plugin/failure.h"
 #include "plugin/log.h"
 #include "plugin/mujoco_symbols.h"
 #include "plugin/out_of_memory.h"
 #include "plugin/rigid_contact.h"
+#include "plugin/soil_history.h"
 #include "terrain/input_error.h"
 
 namespace softsoil {
@@ -31,34 +33,6 @@ Host host;
 std::mutex& InstallMutex() {
   static auto* const mutex = new std::mutex;
   return *mutex;
-}
-
-constexpr std::size_t kLongestMessage = 4000;
-
-// Plain memory: the host's error handler may leave by longjmp.
-struct Failure {
-  bool happened = false;
-  char message[kLongestMessage];
-};
-
-void Note(const std::exception& error, Failure* failure) {
-  failure->happened = true;
-  std::snprintf(failure->message, kLongestMessage, "%s", MessageOf(error));
-}
-
-// Ends the program the way its author wants errors to end it.
-void Stop(const Failure& failure) {
-  if (*host.mujoco.user_error != nullptr) {
-    char message[kLongestMessage + 20];
-    std::snprintf(message, sizeof message, "softsoil: %s", failure.message);
-    (*host.mujoco.user_error)(message);
-    return;
-  }
-  // Neither mju_error(), which waits for a key, nor exit(), which runs destructors beside threads
-  // that still simulate.
-  Say(failure.message);
-  std::fflush(stdout);  // not all files: another thread may be waiting for input
-  std::_Exit(EXIT_FAILURE);
 }
 
 void OnPassive(const mjModel* m, mjData* d);
@@ -95,7 +69,7 @@ void PutEntry(const mjModel* m, mjData* d, std::unique_ptr<SoilBinding> soil,
 // and saved.
 void Answer(const Failure& failure, const mjModel* m, mjData* d) {
   if (host.on_error == OnError::kStop) {
-    Stop(failure);
+    Stop(failure, *host.mujoco.user_error);
     return;
   }
   const std::shared_ptr<SoilEntry> entry = Registry::Get().Find(d);
@@ -120,7 +94,7 @@ std::unique_ptr<SoilBinding> SoilThatModelWants(const mjModel* m) {
 }
 
 // The entry of a mjData, null if it has none. Learns the model if that is wanted.
-std::shared_ptr<SoilEntry> EntryOf(const mjModel* m, const mjData* d, Failure* failure) {
+std::shared_ptr<SoilEntry> EntryFor(const mjModel* m, const mjData* d, Failure* failure) {
   std::shared_ptr<SoilEntry> entry = Registry::Get().Find(d);
   if (entry != nullptr || !host.learns_models) return entry;
   entry = std::make_shared<SoilEntry>();
@@ -138,7 +112,7 @@ std::shared_ptr<SoilEntry> EntryOf(const mjModel* m, const mjData* d, Failure* f
 // its own. Null if it was not.
 std::shared_ptr<SoilEntry> CopiedEntry(const mjModel* m, mjData* d) {
   if (!HasRoomForMark(m) || !MarkIn(m->nuserdata, d).IsPossible()) return nullptr;
-  const std::shared_ptr<const SoilState> state = SoilBinding::StateOf(MarkIn(m->nuserdata, d));
+  const std::shared_ptr<const SoilState> state = StateMarked(MarkIn(m->nuserdata, d));
   if (state->plan->model_content != ContentOf(m)) return nullptr;
   PutEntry(m, d, MakeSoil(state->plan, m));
   return Registry::Get().Find(d);  // its first step follows the mark
@@ -147,12 +121,12 @@ std::shared_ptr<SoilEntry> CopiedEntry(const mjModel* m, mjData* d) {
 // The fence: no exception gets past it.
 void ApplySoil(const mjModel* m, mjData* d, Failure* failure) {
   try {
-    std::shared_ptr<SoilEntry> entry = EntryOf(m, d, failure);
+    std::shared_ptr<SoilEntry> entry = EntryFor(m, d, failure);
     if (entry != nullptr && !(entry->fingerprint == FingerprintOf(m, d))) {
       Registry::Get().Erase(d);
       if (!host.learns_models && entry->soil != nullptr)
         Say("a mjData with soil was deleted without softsoil_detach()");
-      entry = EntryOf(m, d, failure);
+      entry = EntryFor(m, d, failure);
     }
     if (entry == nullptr) entry = CopiedEntry(m, d);
     if (entry == nullptr || entry->soil == nullptr || !entry->lost_because.empty()) return;
@@ -178,7 +152,7 @@ bool IsOf(const SoilEntry& entry, const mjModel* m, const mjData* d) {
 
 bool SoilDiscards(const mjModel* m, const mjData* d, int geom1, int geom2, Failure* failure) {
   try {
-    const std::shared_ptr<SoilEntry> entry = EntryOf(m, d, failure);
+    const std::shared_ptr<SoilEntry> entry = EntryFor(m, d, failure);
     return entry != nullptr && entry->soil != nullptr && IsOf(*entry, m, d) &&
            entry->soil->RemovesContact(geom1, geom2);
   } catch (const std::exception& error) {

@@ -1,6 +1,5 @@
 #include "plugin/soil_binding.h"
 
-#include <Eigen/Geometry>
 #include <cmath>
 #include <stdexcept>
 #include <utility>
@@ -8,49 +7,19 @@
 #include "plugin/log.h"
 #include "plugin/model_geometry.h"
 #include "plugin/soil_identity.h"
+#include "plugin/tire_pose.h"
 
 namespace softsoil {
 namespace {
 
-using Eigen::Matrix3d;
-using Eigen::Vector3d;
-
-// Axes of the tire: y along the spin axis, x and z any two across it.
-Matrix3d TireFrame(const Vector3d& axis_b) {
-  Matrix3d frame;
-  frame.col(1) = axis_b.normalized();
-  frame.col(0) = axis_b.unitOrthogonal();
-  frame.col(2) = frame.col(0).cross(frame.col(1));
-  return frame;
-}
-
-Matrix3d Rotation(const mjtNum matrix[9]) {
-  return Eigen::Map<const Eigen::Matrix<mjtNum, 3, 3, Eigen::RowMajor>>(matrix);
-}
-
-// mjData gives the velocity of a body as that of the point of it that is at the centre of mass of
-// its kinematic tree.
-TirePose PoseOf(const mjModel* m, const mjData* d, const Wheel& wheel,
-                const Matrix3d& tire_frame_b) {
-  const int body = wheel.body;
-  const Matrix3d body_w = Rotation(d->xmat + 9 * body);
-  TirePose pose;
-  pose.centre_w = Vector(d->xpos + 3 * body) + body_w * wheel.centre_b;
-  pose.frame_w = body_w * tire_frame_b;
-  pose.angular_velocity_w = Vector(d->cvel + 6 * body);
-  const Vector3d reference_w = Vector(d->subtree_com + 3 * m->body_rootid[body]);
-  pose.velocity_w =
-      Vector(d->cvel + 6 * body + 3) + pose.angular_velocity_w.cross(pose.centre_w - reference_w);
-  return pose;
-}
-
 // What results tell before the first evaluation.
 TirePose AtRest() {
-  return {Vector3d::Zero(), Matrix3d::Identity(), Vector3d::Zero(), Vector3d::Zero()};
+  const Eigen::Vector3d zero = Eigen::Vector3d::Zero();
+  return {zero, Eigen::Matrix3d::Identity(), zero, zero};
 }
 
 WrenchRow RowOf(const Wrench& wrench) {
-  const Vector3d &f = wrench.force_w, &t = wrench.torque_w;
+  const Eigen::Vector3d &f = wrench.force_w, &t = wrench.torque_w;
   return {f.x(), f.y(), f.z(), t.x(), t.y(), t.z()};
 }
 
@@ -137,21 +106,6 @@ void SoilBinding::Restore(const SoilState& state) {
   is_restored_ = true;
 }
 
-std::shared_ptr<const SoilState> SoilBinding::StateOf(RevisionMark mark) {
-  if (!mark.IsPossible()) {
-    throw InputError("the last " + std::to_string(kMarkSize) + " numbers of userdata hold " +
-                     Shown(mark.history) + " and " + Shown(mark.revision) +
-                     ", no mark of a soil state: they belong to softsoil; make <size nuserdata> "
-                     "larger by them, or set softsoil_history to 0");
-  }
-  std::shared_ptr<const SoilState> state = SoilHistory::Find(mark);
-  if (state != nullptr) return state;
-  throw InputError(
-      "this mjData was copied or restored to the soil state " + Shown(mark.revision) +
-      " of a mjData, which is no longer held: that mjData is gone, or softsoil_history "
-      "is too small for so long ago");
-}
-
 SoilState SoilBinding::Undisturbed() const {
   SoilState state{plan_, soft_wheels_.Undisturbed(), {}, {}, {}, {}};
   state.shares.resize(shares_.size());
@@ -167,7 +121,7 @@ void SoilBinding::FollowMark(const mjData* d) {
     StartAfresh();
     watch_ = StepWatch{};
   } else {
-    Restore(*StateOf(mark));
+    Restore(*StateMarked(mark));
   }
   mark_ = other_mark_ = mark;
 }

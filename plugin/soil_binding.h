@@ -44,9 +44,6 @@ class SoilBinding {
   void SetState(const SoilState& state, mjData* d);  // throws InputError
   SoilState Undisturbed() const;
 
-  // The state that a mark names. Throws InputError if it is not held.
-  static std::shared_ptr<const SoilState> StateOf(RevisionMark mark);
-
   // Whether steps went by, until `time` [s], at which MuJoCo did not ask for forces.
   bool WasPassedOver(double time) const { return watch_.HasMissed(time); }
 

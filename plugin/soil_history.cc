@@ -4,6 +4,8 @@
 #include <random>
 #include <utility>
 
+#include "terrain/input_error.h"
+
 namespace softsoil {
 namespace {
 
@@ -84,6 +86,21 @@ std::shared_ptr<const SoilState> SoilHistory::FindHere(double revision) {
   if (it == by_revision_.end()) return nullptr;
   entries_.splice(entries_.end(), entries_, it->second);
   return it->second->state;
+}
+
+std::shared_ptr<const SoilState> StateMarked(RevisionMark mark) {
+  if (!mark.IsPossible()) {
+    throw InputError("the last " + std::to_string(kMarkSize) + " numbers of userdata hold " +
+                     Shown(mark.history) + " and " + Shown(mark.revision) +
+                     ", no mark of a soil state: they belong to softsoil; make <size nuserdata> "
+                     "larger by them, or set softsoil_history to 0");
+  }
+  std::shared_ptr<const SoilState> state = SoilHistory::Find(mark);
+  if (state != nullptr) return state;
+  throw InputError(
+      "this mjData was copied or restored to the soil state " + Shown(mark.revision) +
+      " of a mjData, which is no longer held: that mjData is gone, or softsoil_history "
+      "is too small for so long ago");
 }
 
 }  // namespace softsoil

@@ -48,4 +48,7 @@ class SoilHistory {
   std::unordered_map<double, std::list<Entry>::iterator> by_revision_;
 };
 
+// The state that a mark names, as Find(). Throws InputError if it is not held or is no mark.
+std::shared_ptr<const SoilState> StateMarked(RevisionMark mark);
+
 }  // namespace softsoil

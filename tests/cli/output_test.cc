@@ -1,89 +1,21 @@
 #include <gmock/gmock.h>
-#include <unistd.h>
 
 #include <cmath>
 #include <cstdint>
 #include <cstring>
-#include <filesystem>
-#include <fstream>
-#include <sstream>
 
 #include "plugin/cli/contact_log.h"
 #include "plugin/cli/npy.h"
 #include "plugin/cli/wheel_columns.h"
 #include "plugin/cli/wheel_log.h"
-#include "terrain/input_error.h"
-#include "terrain/output_file.h"
+#include "tests/terrain/output_folder.h"
 
 namespace softsoil {
 namespace {
 
-namespace fs = std::filesystem;
 using testing::HasSubstr;
-using testing::ThrowsMessage;
 
-std::string Content(const std::string& path) {
-  std::ostringstream text;
-  text << std::ifstream(path, std::ios::binary).rdbuf();
-  return text.str();
-}
-
-// An empty folder for each test: they run in parallel.
-class Output : public testing::Test {
- protected:
-  Output() { fs::create_directories(folder_); }
-  ~Output() override { fs::remove_all(folder_); }
-  const std::string folder_ = testing::TempDir() + "output_" + std::to_string(getpid());
-  const std::string path_ = folder_ + "/a.txt";
-};
-
-TEST_F(Output, HasItsNameOnlyWhenComplete) {
-  OutputFile file(path_);
-  file.Write("half");
-  file.Flush();
-  EXPECT_FALSE(fs::exists(path_));
-  EXPECT_EQ(Content(path_ + ".part"), "half");
-  file.Write(", whole");
-  file.Finish();
-  EXPECT_EQ(Content(path_), "half, whole");
-  EXPECT_FALSE(fs::exists(path_ + ".part"));
-}
-
-TEST_F(Output, LeavesNoHalfFileUnderItsName) {
-  { OutputFile(path_).Write("half"); }
-  EXPECT_FALSE(fs::exists(path_));
-}
-
-TEST_F(Output, SaysThatTheDiskIsFull) {
-  fs::create_symlink("/dev/full", path_ + ".part");
-  const auto write = [this] {
-    OutputFile file(path_);
-    file.Write("x");
-    file.Finish();
-  };
-  EXPECT_THAT(write, ThrowsMessage<std::runtime_error>(
-                         path_ + ".part: cannot write: No space left on device"));
-}
-
-TEST_F(Output, SaysThatAFileCannotBeOpened) {
-  const std::string path = folder_ + "/nowhere/a.txt";
-  EXPECT_THAT(
-      [&] { OutputFile file(path); },
-      ThrowsMessage<std::runtime_error>(path + ".part: cannot open: No such file or directory"));
-}
-
-TEST_F(Output, FolderIsMadeWithItsParents) {
-  PrepareFolder(folder_ + "/b/c");
-  EXPECT_TRUE(fs::is_directory(folder_ + "/b/c"));
-}
-
-TEST_F(Output, FolderThatIsAFileIsRefused) {
-  std::ofstream(path_) << "x";
-  EXPECT_THAT([&] { PrepareFolder(path_); },
-              ThrowsMessage<InputError>(HasSubstr("cannot write into this folder")));
-  EXPECT_THAT([&] { PrepareFolder(path_ + "/b"); },
-              ThrowsMessage<InputError>(HasSubstr("cannot write into this folder")));
-}
+using Output = OutputFolder;
 
 TEST_F(Output, NpyHasTheLayoutThatNumpyDocuments) {
   const std::vector<float> values = {1, 2, 3, 4, 5, 6};
