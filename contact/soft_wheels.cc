@@ -31,7 +31,7 @@ void SoftWheels::Commit(const std::vector<TirePose>& poses, const std::vector<Pa
   for (int wheel = 0; wheel < size(); ++wheel) {
     wheels_[wheel].Commit(forces[wheel]);
     ground_.AddLoad(wheel, forces[wheel].surface, h);
-    ground_.DeepenPlastic(plastic_[wheel]);
+    ground_.DeepenPlastic(wheel, plastic_[wheel]);
   }
   ground_.Pass(h);
 }

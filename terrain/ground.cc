@@ -37,6 +37,7 @@ Ground::Ground(const Soil& soil, const GroundSettings& settings, UndisturbedHeig
                MakeDirectStress({soil.concentration_factor,
                                  kNearFieldSpacings * settings.grid_spacing, settings.threads})),
       clock_(settings.soil_clock),
+      flow_(soil, settings.grid_spacing, sources),
       work_(sources) {
   for (int source = 0; source < sources; ++source) gatherers_.emplace_back(settings.grid_spacing);
 }
@@ -46,19 +47,30 @@ void Ground::AddLoad(int source, const std::vector<SurfaceForce>& forces, double
 }
 
 void Ground::Reserve(int source, const std::vector<SurfaceForce>& forces,
-                     const std::vector<NodeSinkage>& plastic) {
+                     const std::vector<NodeSinkage>& depths) {
   gatherers_[source].Reserve(forces);
-  surface_.ReservePlastic(plastic);
+  surface_.ReservePlastic(depths);
+  flow_.Reserve(source, depths);
 }
 
-void Ground::DeepenPlastic(const std::vector<NodeSinkage>& plastic) {
-  for (const NodeSinkage& sinkage : plastic) surface_.DeepenPlastic(sinkage);
+void Ground::DeepenPlastic(int source, const std::vector<NodeSinkage>& depths) {
+  for (const NodeSinkage& depth : depths) {
+    const double pushed = surface_.DeepenPlastic(depth);
+    if (pushed > 0) flow_.Push(source, {depth.node, pushed});
+  }
 }
 
 void Ground::Pass(double h) {
   if (!clock_.Pass(h)) return;
   Join();
-  Start(clock_.Elapsed());
+  // All that may fail comes first.
+  SurfaceLoad load = MeanLoad(clock_.Elapsed());
+  SoilFlow::Step flow = flow_.Tick(surface_, load);
+  surface_.ReserveMoved(flow.moved);
+  Start(clock_.Elapsed(), std::move(load));
+
+  for (const NodeSoil& moved : flow.moved) surface_.SetMoved(moved);
+  flow_.Finish(std::move(flow));
   if (settings_.sync) Join();
 }
 
@@ -77,9 +89,9 @@ void Ground::Job::Do() {
   is_done = true;
 }
 
-void Ground::Start(double period) {
+void Ground::Start(double period, SurfaceLoad load) {
   // All that may fail comes first.
-  const auto job = std::make_shared<Job>(Job{columns_, MeanLoad(period), period});
+  const auto job = std::make_shared<Job>(Job{columns_, std::move(load), period});
 
   job->columns = std::move(columns_);  // so that it shares no tile with this ground
   for (LoadGatherer& gatherer : gatherers_) gatherer.Clear();
@@ -112,8 +124,12 @@ void Ground::Join() {
   const std::shared_ptr<const Job> job = DoneJob();
   Columns columns = job->columns;
   surface_.ReserveCompaction(job->result.compaction);
+  flow_.ReserveCompaction(job->result.compaction.size());
 
-  for (const NodeSinkage& c : job->result.compaction) surface_.SetCompaction(c);
+  for (const NodeSinkage& c : job->result.compaction) {
+    const double displaced = surface_.SetCompaction(c);
+    if (displaced != 0) flow_.Compact({c.node, displaced});
+  }
   columns_ = std::move(columns);
   column_bytes_copied_ = columns_.BytesCopied();
   CountWork(job->result, job->period);
@@ -150,7 +166,11 @@ std::size_t Ground::BytesCopied() const { return surface_.BytesCopied() + column
 std::size_t Ground::OwnBytes() const {
   std::size_t bytes = 0;
   for (const LoadGatherer& gatherer : gatherers_) bytes += sizeof gatherer + gatherer.MemoryBytes();
-  return bytes + work_.size() * sizeof work_.front();
+  return bytes + flow_.MemoryBytes() + work_.size() * sizeof work_.front();
+}
+
+double Ground::VolumeInHand() const {
+  return flow_.InHand() * settings_.grid_spacing * settings_.grid_spacing;
 }
 
 void Ground::Write(StateWriter& writer) const {
@@ -160,6 +180,7 @@ void Ground::Write(StateWriter& writer) const {
   } catch (...) {  // then it is written as one that is still to be done
   }
   surface_.Write(writer);
+  flow_.Write(writer);
   (job != nullptr ? job->columns : columns_).Write(writer);
   clock_.Write(writer);
   for (const LoadGatherer& gatherer : gatherers_) gatherer.Write(writer);
@@ -181,6 +202,7 @@ void Ground::Write(StateWriter& writer) const {
 
 void Ground::Read(StateReader& reader) {
   surface_.Read(reader);
+  flow_.Read(reader);
   columns_.Read(reader);
   clock_.Read(reader);
   const double area = settings_.grid_spacing * settings_.grid_spacing;

@@ -10,6 +10,7 @@
 #include "terrain/limits.h"
 #include "terrain/soil.h"
 #include "terrain/soil_clock.h"
+#include "terrain/soil_flow.h"
 #include "terrain/surface.h"
 #include "terrain/surface_load.h"
 
@@ -49,24 +50,27 @@ class Ground {
   const GroundSettings& settings() const { return settings_; }
   const Surface& surface() const { return surface_; }
 
-  // History. Forces [N] of one source that acted on the ground for h [s], and the bearing sinkage
-  // it reached. The surface yields to the latter at once. Neither can fail after Reserve() with the
-  // same, which changes nothing else.
+  // History. Forces [N] of one source that acted on the ground for h [s], and the depth below the
+  // undisturbed ground to which it pressed the soil at some nodes. The surface yields to the latter
+  // at once; soil that is pushed away comes to lie elsewhere at the next tick of the soil clock.
+  // Neither can fail after Reserve() with the same, which changes nothing else.
   void Reserve(int source, const std::vector<SurfaceForce>& forces,
-               const std::vector<NodeSinkage>& plastic);
+               const std::vector<NodeSinkage>& depths);
   void AddLoad(int source, const std::vector<SurfaceForce>& forces, double h);
-  void DeepenPlastic(const std::vector<NodeSinkage>& plastic);
+  void DeepenPlastic(int source, const std::vector<NodeSinkage>& depths);
 
   // Lets h [s] of simulated time pass. At a tick of the soil clock the job of the tick before is
-  // awaited, its heights become the surface, and the mean load of the period is handed to the
-  // next job; with `sync` that job is awaited at once and its heights become the surface without
-  // lag. If memory runs out, or a job throws, the tick is put off to the next call and nothing is
-  // lost: a job that failed is done again by whoever waits for it.
+  // awaited, its heights become the surface, displaced soil moves, and the mean load of the period
+  // is handed to the next job; with `sync` that job is awaited at once and its heights become the
+  // surface without lag. If memory runs out, or a job throws, the tick is put off to the next call
+  // and nothing is lost: a job that failed is done again by whoever waits for it.
   void Pass(double h);
 
   // Of the heights that are in the surface; a job in flight is not counted.
   const CompactionWork& Work(int source) const { return work_[source]; }
   bool LowestVolumeYields() const { return lowest_volume_yields_; }
+  // [m^3]  displaced since the last tick: DisplacedVolume() = MovedVolume() + VolumeInHand().
+  double VolumeInHand() const;
   // These wait for the job in flight.
   std::size_t VolumeCount() const;
   std::size_t ColumnCount() const;
@@ -97,7 +101,7 @@ class Ground {
   };
 
   SurfaceLoad MeanLoad(double period) const;
-  void Start(double period);
+  void Start(double period, SurfaceLoad load);
   void Join();
   // The job in flight, done. Throws what it throws.
   std::shared_ptr<const Job> DoneJob() const;
@@ -109,6 +113,7 @@ class Ground {
   Surface surface_;
   Columns columns_;
   SoilClock clock_;
+  SoilFlow flow_;
   std::vector<LoadGatherer> gatherers_;  // by source
   std::vector<CompactionWork> work_;     // by source
   bool lowest_volume_yields_ = false;

@@ -1,8 +1,9 @@
 #include "terrain/soil.h"
 
+#include <algorithm>
 #include <cmath>
 
-#include "terrain/constants.h"
+#include "terrain/repose.h"
 
 namespace softsoil {
 
@@ -102,6 +103,21 @@ void ReadShearForm(XmlEntry& entry, Shear* shear) {
   shear->residual = entry.Number("shear", "residual", "", Range::kUpToOne);
 }
 
+std::optional<double> ReadAngleOfRepose(XmlEntry& entry, const Soil& soil) {
+  if (!entry.Has("shear", "angle_of_repose_deg")) return std::nullopt;
+  const double angle =
+      entry.Number("shear", "angle_of_repose_deg", "deg", Range::kUpTo90Degrees) * kPi / 180;
+  const double gamma = kGravity * soil.compaction.initial_density;
+  const double steepest = SteepestHeap(soil.shear, gamma, kHighestHeap);
+  if (angle < kLeastRepose || angle > steepest) {
+    entry.Refuse("angle_of_repose_deg must be " + Shown(kLeastRepose * kDegrees) + " to " +
+                 Rounded(steepest * kDegrees, 4) +
+                 " deg, at which friction and cohesion hold a heap 1 m high, got " +
+                 Rounded(angle * kDegrees, 7));
+  }
+  return angle;
+}
+
 Unloading ReadUnloading(XmlEntry& entry) {
   if (!entry.Has("unloading")) return {};
   const Unloading unloading{entry.Number("unloading", "k_0", "Pa/m", Range::kNotNegative),
@@ -145,6 +161,7 @@ Soil ReadSoil(XmlEntry& entry) {
   soil.compaction.moisture_shift = MoistureShift(entry);
   soil.layers = ReadLayers(entry);
   soil.max_stress = ReadMaxStress(entry);
+  soil.angle_of_repose = ReadAngleOfRepose(entry, soil);
   RefuseTooLoose(entry, soil.compaction, soil.compaction.initial_density);
   for (const DensityLayer& layer : soil.layers) {
     RefuseTooLoose(entry, soil.compaction, layer.density);
@@ -158,6 +175,10 @@ const std::vector<Attribute<Soil>>& SoilAttributes(BearingForm form) {
   static const Table bekker = SoilTable(BearingForm::kBekker);
   static const Table reece = SoilTable(BearingForm::kReece);
   return form == BearingForm::kReece ? reece : bekker;
+}
+
+double AngleOfRepose(const Soil& soil) {
+  return soil.angle_of_repose.value_or(std::max(soil.shear.friction_angle, kLeastRepose));
 }
 
 double LeastInitialDensity(const Compaction& soil) {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "terrain/compaction.h"
+#include "terrain/constants.h"
 #include "terrain/plate_curve.h"
 #include "terrain/shear.h"
 #include "terrain/xml_catalogue.h"
@@ -33,7 +34,16 @@ struct Soil {
   std::vector<DensityLayer> layers;  // from the top down; above the first: initial_density
   double concentration_factor;       // [-]  nu of Froehlich, 3 (elastic) to 6 (very soft)
   std::optional<MaxStress> max_stress;
+  std::optional<double> angle_of_repose;  // [rad]  of a heap of loose soil, > 0
 };
+
+// Angle [rad] at which a heap of loose soil comes to rest: as given, or the friction angle, at
+// which loose soil without cohesion stands (Terzaghi 1943), but no less than kLeastRepose.
+double AngleOfRepose(const Soil& soil);
+constexpr double kLeastRepose = 5 * kPi / 180;  // [rad]  clods of soil without friction still lock
+
+// The highest heap [m] that an angle of repose must hold for.
+constexpr double kHighestHeap = 1;
 
 // Density [kg/m^3] of the undisturbed soil at a depth [m].
 double InitialDensity(const Soil& soil, double depth);
@@ -49,10 +59,11 @@ Catalogue<Soil> SoilCatalogue();
 //
 // A soil may have besides
 //   <shear form="humped" residual="0.3">             a peak of the shear stress
-//   <unloading k_0="..." A_u="...">                  ground that springs back
-//   <layers top="0.15 0.3" initial_density="1350 1500">
-//   <moisture slope="..." saturation="..." reference_saturation="...">
-//   <max_stress c_1="..." c_2="...">                 for the Wong-Reece method
+//   <shear angle_of_repose_deg="30">               a heap steeper or flatter than the friction
+//   angle <unloading k_0="..." A_u="...">                  ground that springs back <layers
+//   top="0.15 0.3" initial_density="1350 1500"> <moisture slope="..." saturation="..."
+//   reference_saturation="..."> <max_stress c_1="..." c_2="...">                 for the Wong-Reece
+//   method
 const std::vector<Attribute<Soil>>& SoilAttributes(BearingForm form = BearingForm::kBekker);
 
 }  // namespace softsoil

@@ -4,6 +4,7 @@
 
 #include <vector>
 
+#include "terrain/constants.h"
 #include "terrain/input_error.h"
 
 namespace softsoil {
@@ -79,6 +80,9 @@ class EntryPrinter {
     if (humped) printer_.PushAttribute("form", "humped");
     TableOf("shear");
     if (humped) Number("residual", entry_.soil.shear.residual);
+    if (entry_.soil.angle_of_repose) {
+      Number("angle_of_repose_deg", *entry_.soil.angle_of_repose * kDegrees);
+    }
     Close("shear");
   }
   void Layers() {

@@ -51,16 +51,19 @@ double Surface::Undisturbed(GridNode node) const {
   return (*undisturbed_)(node.i * spacing_, node.j * spacing_);
 }
 
-double Surface::Sinkage(const Tile& tile, int place) const {
-  const double compaction = (*tile.compaction)[place];
-  return mode_ == SurfaceMode::kFlow ? std::max(compaction, (*tile.plastic)[place]) : compaction;
-}
-
 double Surface::NodeHeight(GridNode node) const {
   const Tile* tile = tiles_.Find(TileOf(node));
   if (tile == nullptr) return Undisturbed(node);
   const int place = PlaceInTile(node);
-  return (*tile->undisturbed)[place] - Sinkage(*tile, place);
+  return (*tile->undisturbed)[place] - tile->Sinkage(place);
+}
+
+NodeLayers Surface::Layers(GridNode node) const {
+  const Tile* tile = tiles_.Find(TileOf(node));
+  if (tile == nullptr) return {Undisturbed(node), 0, false};
+  const int place = PlaceInTile(node);
+  return {(*tile->undisturbed)[place] - tile->Sunk(place), (*tile->moved)[place],
+          (*tile->plastic)[place] > 0};
 }
 
 double Surface::Height(double x, double y) const {
@@ -86,7 +89,7 @@ void Surface::CopyPatch(double x_min, double x_max, double y_min, double y_max,
       const GridNode node{patch->first_.i + a, patch->first_.j + b};
       if (b == 0 || (node.j & (kTileSide - 1)) == 0) tile = tiles_.Find(TileOf(node));
       const int place = PlaceInTile(node);
-      patch->sinkage_[k] = tile != nullptr ? Sinkage(*tile, place) : 0.0;
+      patch->sinkage_[k] = tile != nullptr ? tile->Sinkage(place) : 0.0;
       const double undisturbed = tile != nullptr ? (*tile->undisturbed)[place] : Undisturbed(node);
       patch->height_[k] = undisturbed - patch->sinkage_[k];
     }
@@ -99,8 +102,8 @@ Surface::Tile Surface::MakeTile(TileIndex index) const {
   for (int place = 0; place < kTileSide * kTileSide; ++place) {
     undisturbed[place] = Undisturbed(NodeAt(index, place));
   }
-  return {Cow<Heights>::Make(undisturbed), Cow<Heights>::Make(Heights{}),
-          Cow<Heights>::Make(Heights{})};
+  const auto none = [] { return Cow<Heights>::Make(Heights{}); };
+  return {Cow<Heights>::Make(undisturbed), none(), none(), none()};
 }
 
 double& Surface::Touch(Cow<Heights> Tile::*part, GridNode node) {
@@ -115,18 +118,41 @@ bool Surface::Compacts(NodeSinkage compaction) const {
   return tile == nullptr || (*tile->compaction)[PlaceInTile(compaction.node)] != compaction.sinkage;
 }
 
-bool Surface::Deepens(NodeSinkage plastic) const {
+bool Surface::Deepens(NodeSinkage depth) const {
   if (mode_ != SurfaceMode::kFlow) return false;
-  const Tile* tile = tiles_.Find(TileOf(plastic.node));
-  return tile == nullptr || (*tile->plastic)[PlaceInTile(plastic.node)] < plastic.sinkage;
+  const Tile* tile = tiles_.Find(TileOf(depth.node));
+  return (tile == nullptr ? 0 : tile->Sinkage(PlaceInTile(depth.node))) < depth.sinkage;
 }
 
-void Surface::SetCompaction(NodeSinkage compaction) {
-  if (Compacts(compaction)) Touch(&Tile::compaction, compaction.node) = compaction.sinkage;
+bool Surface::Moves(NodeSoil moved) const {
+  const Tile* tile = tiles_.Find(TileOf(moved.node));
+  return tile == nullptr || (*tile->moved)[PlaceInTile(moved.node)] != moved.thickness;
 }
 
-void Surface::DeepenPlastic(NodeSinkage plastic) {
-  if (Deepens(plastic)) Touch(&Tile::plastic, plastic.node) = plastic.sinkage;
+double Surface::SetCompaction(NodeSinkage compaction) {
+  if (!Compacts(compaction)) return 0;
+  double& present = Touch(&Tile::compaction, compaction.node);
+  const Tile& tile = *tiles_.Find(TileOf(compaction.node));
+  const int place = PlaceInTile(compaction.node);
+  const double displaced = tile.Sunk(place) - present;
+  present = compaction.sinkage;
+  return tile.Sunk(place) - present - displaced;
+}
+
+double Surface::DeepenPlastic(NodeSinkage depth) {
+  if (!Deepens(depth)) return 0;
+  const Tile* tile = tiles_.Find(TileOf(depth.node));
+  const int place = PlaceInTile(depth.node);
+  const double moved = tile == nullptr ? 0 : (*tile->moved)[place];
+  const double pushed = depth.sinkage - (tile == nullptr ? 0 : tile->Sinkage(place));
+  const double loose = std::min(pushed, std::max(moved, 0.0));
+  if (loose > 0) Touch(&Tile::moved, depth.node) = moved - loose;
+  if (loose < pushed) Touch(&Tile::plastic, depth.node) = depth.sinkage + std::min(moved, 0.0);
+  return pushed;
+}
+
+void Surface::SetMoved(NodeSoil moved) {
+  if (Moves(moved)) Touch(&Tile::moved, moved.node) = moved.thickness;
 }
 
 void Surface::ReserveCompaction(const std::vector<NodeSinkage>& compaction) {
@@ -135,32 +161,51 @@ void Surface::ReserveCompaction(const std::vector<NodeSinkage>& compaction) {
   }
 }
 
-void Surface::ReservePlastic(const std::vector<NodeSinkage>& plastic) {
-  for (const NodeSinkage& p : plastic) {
-    if (Deepens(p)) Touch(&Tile::plastic, p.node);
+void Surface::ReservePlastic(const std::vector<NodeSinkage>& depths) {
+  for (const NodeSinkage& depth : depths) {
+    if (!Deepens(depth)) continue;
+    Touch(&Tile::plastic, depth.node);
+    if (Layers(depth.node).moved > 0) Touch(&Tile::moved, depth.node);
   }
 }
 
-double Surface::RutVolume() const {
-  double depth = 0;
+void Surface::ReserveMoved(const std::vector<NodeSoil>& moved) {
+  for (const NodeSoil& m : moved) {
+    if (Moves(m)) Touch(&Tile::moved, m.node);
+  }
+}
+
+template <class Thickness>
+double Surface::Volume(const Thickness& thickness) const {
+  double sum = 0;
   tiles_.ForEach([&](TileIndex, const Tile& tile) {
-    for (int place = 0; place < kTileSide * kTileSide; ++place) depth += Sinkage(tile, place);
+    for (int place = 0; place < kTileSide * kTileSide; ++place) sum += thickness(tile, place);
   });
-  return depth * spacing_ * spacing_;
+  return sum * spacing_ * spacing_;
+}
+
+double Surface::RutVolume() const {
+  return Volume([](const Tile& tile, int k) { return std::max(tile.Sinkage(k), 0.0); });
+}
+
+double Surface::BermVolume() const {
+  return Volume([](const Tile& tile, int k) { return std::max(-tile.Sinkage(k), 0.0); });
+}
+
+double Surface::CompactionVolume() const {
+  return Volume([](const Tile& tile, int k) { return (*tile.compaction)[k]; });
 }
 
 double Surface::DisplacedVolume() const {
-  double depth = 0;
-  tiles_.ForEach([&](TileIndex, const Tile& tile) {
-    for (int place = 0; place < kTileSide * kTileSide; ++place) {
-      depth += Sinkage(tile, place) - (*tile.compaction)[place];
-    }
-  });
-  return depth * spacing_ * spacing_;
+  return Volume([](const Tile& tile, int k) { return tile.Sunk(k) - (*tile.compaction)[k]; });
+}
+
+double Surface::MovedVolume() const {
+  return Volume([](const Tile& tile, int k) { return (*tile.moved)[k]; });
 }
 
 std::size_t Surface::MemoryBytes() const {
-  return tiles_.size() * (sizeof(Tile) + 3 * sizeof(Heights));
+  return tiles_.size() * (sizeof(Tile) + 4 * sizeof(Heights));
 }
 
 std::size_t Surface::BytesCopied() const {
@@ -171,7 +216,7 @@ std::size_t Surface::BytesCopied() const {
 void Surface::ForEachNode(const std::function<void(GridNode, double, double)>& visit) const {
   tiles_.ForEach([&](TileIndex index, const Tile& tile) {
     for (int place = 0; place < kTileSide * kTileSide; ++place) {
-      const double sinkage = Sinkage(tile, place);
+      const double sinkage = tile.Sinkage(place);
       visit(NodeAt(index, place), (*tile.undisturbed)[place] - sinkage, sinkage);
     }
   });
@@ -179,18 +224,21 @@ void Surface::ForEachNode(const std::function<void(GridNode, double, double)>& v
 
 void Surface::Write(StateWriter& writer) const {
   tiles_.Write(writer, [](StateWriter& to, const Tile& tile) {
-    to.PutBytes(tile.compaction->data(), sizeof(Heights));
-    to.PutBytes(tile.plastic->data(), sizeof(Heights));
+    for (const Cow<Heights>* part : {&tile.compaction, &tile.plastic, &tile.moved}) {
+      to.PutBytes((*part)->data(), sizeof(Heights));
+    }
   });
 }
 
 void Surface::Read(StateReader& reader) {
   tiles_.Read(
-      reader, 2 * sizeof(Heights), [this](TileIndex index) { return MakeTile(index); },
+      reader, 3 * sizeof(Heights), [this](TileIndex index) { return MakeTile(index); },
       [](StateReader& from, Tile& tile) {
-        for (Cow<Heights>* part : {&tile.compaction, &tile.plastic}) {
+        for (Cow<Heights>* part : {&tile.compaction, &tile.plastic, &tile.moved}) {
           Heights& heights = part->Own();
           from.GetFinite(heights.data(), heights.size());
+          const auto is_near = [](double height) { return std::abs(height) <= kFarthest; };
+          from.Require(std::all_of(heights.begin(), heights.end(), is_near), "a height");
         }
       });
 }

@@ -1,6 +1,7 @@
 // The surface of the ground as wheels meet it: heights on a square grid, bilinear in between.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <functional>
 #include <memory>
@@ -19,8 +20,8 @@ using UndisturbedHeight = std::function<double(double x, double y)>;
 
 // How the surface sinks.
 //   kCompaction  by the compaction of the soil below alone, as in the thesis.
-//   kFlow        also by bearing sinkage, which is permanent; what exceeds compaction is
-//                displaced soil.
+//   kFlow        also by bearing sinkage, which is permanent. What exceeds compaction is displaced
+//                soil: it moves elsewhere, its volume kept.
 enum class SurfaceMode { kCompaction, kFlow };
 
 // Sinkage [m] at a grid node, positive down.
@@ -29,10 +30,23 @@ struct NodeSinkage {
   double sinkage;
 };
 
+// Soil at a grid node, as the thickness [m] of a layer on its cell.
+struct NodeSoil {
+  GridNode node;
+  double thickness;
+};
+
+// What the soil at a grid node is made of.
+struct NodeLayers {
+  double firm;       // [m]  height of the soil that has only sunk
+  double moved;      // [m]  loose soil on it that came from elsewhere; below 0: what has slid off
+  bool was_pressed;  // by a wheel, deeper than compaction alone
+};
+
 // The surface at a point.
 struct SurfacePoint {
   double height;                        // [m]
-  double sinkage;                       // [m]  below the undisturbed ground
+  double sinkage;                       // [m]  below the undisturbed ground; below 0 on a berm
   double slope_x, slope_y;              // [-]  dz/dx and dz/dy of the surface
   double undisturbed_x, undisturbed_y;  // [-]  the same of the undisturbed ground
 };
@@ -71,20 +85,32 @@ class Surface {
   double NodeHeight(GridNode node) const;   // [m]
   double Height(double x, double y) const;  // [m]  bilinear
   double Undisturbed(GridNode node) const;  // [m]
+  NodeLayers Layers(GridNode node) const;
 
   // Copies the nodes that surround the rectangle [m] into `patch`.
   void CopyPatch(double x_min, double x_max, double y_min, double y_max, SurfacePatch* patch) const;
 
-  // Compaction of the column below a node, from the soil update.
-  void SetCompaction(NodeSinkage compaction);
-  // Bearing sinkage reached at a node. It never becomes less. Ignored in kCompaction.
-  void DeepenPlastic(NodeSinkage plastic);
+  // The displaced thickness at a node is max(plastic - compaction, 0) [m]. Its sum over all nodes
+  // is that of moved soil, if the soil that the next two return is moved in the end.
+  //
+  // Compaction of the column below a node, from the soil update. Returns by how much [m] the
+  // displaced thickness grows; below 0 where compaction catches up with bearing sinkage.
+  double SetCompaction(NodeSinkage compaction);
+  // Presses the surface at a node down to a depth below the undisturbed ground; never up. Loose
+  // soil gives way first. Returns the thickness [m] pushed aside. Ignored in kCompaction.
+  double DeepenPlastic(NodeSinkage depth);
+  // Loose soil at a node, in place of what was there.
+  void SetMoved(NodeSoil moved);
   // From now on until the surface is copied, to set these cannot fail for want of memory.
   void ReserveCompaction(const std::vector<NodeSinkage>& compaction);
-  void ReservePlastic(const std::vector<NodeSinkage>& plastic);
+  void ReservePlastic(const std::vector<NodeSinkage>& depths);
+  void ReserveMoved(const std::vector<NodeSoil>& moved);
 
-  double RutVolume() const;        // [m^3]  between undisturbed and present surface
-  double DisplacedVolume() const;  // [m^3]  part of it that is not compaction
+  double RutVolume() const;         // [m^3]  below the undisturbed ground
+  double BermVolume() const;        // [m^3]  above it
+  double CompactionVolume() const;  // [m^3]  lost, the soil being denser
+  double DisplacedVolume() const;   // [m^3]  pressed away by wheels beyond compaction
+  double MovedVolume() const;  // [m^3]  the same where it has come to lie, but for soil in hand
   std::size_t MemoryBytes() const;
 
   std::size_t BytesCopied() const;  // that had to be copied, being shared, so far
@@ -99,15 +125,21 @@ class Surface {
   using Heights = std::array<double, kTileSide * kTileSide>;  // [m]
   // Each part is shared by itself: a step writes to few.
   struct Tile {
-    Cow<Heights> undisturbed, compaction, plastic;
+    Cow<Heights> undisturbed, compaction, plastic, moved;
+
+    double Sunk(int place) const { return std::max((*compaction)[place], (*plastic)[place]); }
+    double Sinkage(int place) const { return Sunk(place) - (*moved)[place]; }
   };
   Tile MakeTile(TileIndex index) const;
   // Whether a node does not read so already.
   bool Compacts(NodeSinkage compaction) const;
-  bool Deepens(NodeSinkage plastic) const;
+  bool Deepens(NodeSinkage depth) const;
+  bool Moves(NodeSoil moved) const;
   // Where a node is written to.
   double& Touch(Cow<Heights> Tile::*part, GridNode node);
-  double Sinkage(const Tile& tile, int place) const;
+  // Volume [m^3] of thickness(tile, place) [m] at every node.
+  template <class Thickness>
+  double Volume(const Thickness& thickness) const;
 
   double spacing_;
   SurfaceMode mode_;

@@ -2,10 +2,9 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <array>
 #include <vector>
 
-#include "terrain/tile_map.h"
+#include "terrain/node_table.h"
 
 namespace softsoil {
 
@@ -45,52 +44,31 @@ class LoadGatherer {
   // Appends the mean over `period` [s] to `load`. `height(GridNode)` [m].
   template <class Height>
   void AddMean(int source, double period, const Height& height, SurfaceLoad* load) const {
-    for (const auto& [node, impulse_w] : InOrder()) {
+    for (const auto& [node, impulse_w] : impulses_.InOrder()) {
       if (impulse_w.isZero(0)) continue;
       load->push_back(
           {node, node.i * spacing_, node.j * spacing_, height(node), impulse_w / period, source});
     }
   }
   // Starts anew.
-  void Clear() {
-    impulses_.clear();
-    places_.map.Clear();
-  }
+  void Clear() { impulses_.Clear(); }
 
-  std::size_t MemoryBytes() const { return impulses_.size() * sizeof(Impulse); }
+  std::size_t MemoryBytes() const { return impulses_.MemoryBytes(); }
   void Write(StateWriter& writer) const;
   // Throws InputError, also if an impulse [N s] at a node exceeds `most`.
   void Read(StateReader& reader, double most);
 
  private:
-  struct Impulse {
-    GridNode node;
-    Eigen::Vector3d impulse_w;  // [N s]
-  };
-  // Where in impulses_ a node stands, -1 if it does not. A copy has none: it is made when it is
-  // needed, for most copies are never added to.
-  struct Places {
-    Places() = default;
-    Places(const Places&) {}
-    Places& operator=(const Places&) {
-      map.Clear();
-      return *this;
-    }
-    TileMap<std::array<int, kTileSide * kTileSide>> map;
-  };
   // Where a force acts: the least of the four nodes around it, and how far beyond, in cells.
   struct Cell {
     GridNode node;
     double u, v;
   };
   Cell CellOf(const SurfaceForce& force) const;
-  std::vector<Impulse> InOrder() const;
-  Eigen::Vector3d& At(GridNode node);
-  int& PlaceOf(GridNode node);
+  Eigen::Vector3d& At(GridNode node) { return impulses_.At(node, Eigen::Vector3d::Zero()); }
 
   double spacing_;
-  std::vector<Impulse> impulses_;  // in the order in which their nodes were touched
-  Places places_;
+  NodeTable<Eigen::Vector3d> impulses_;  // [N s]
 };
 
 }  // namespace softsoil

@@ -95,6 +95,8 @@ void WriteSummary(const RunOptions& options, const RunResult& result) {
   json["bytes_per_volume"] = Share(ground.volume_bytes, ground.volumes);
   json["rut_volume"] = ground.rut_volume;
   json["displaced_volume"] = ground.displaced_volume;
+  json["compaction_volume"] = ground.compaction_volume;
+  json["berm_volume"] = ground.berm_volume;
   json["compaction_energy"] = CompactionEnergy(result);
   json["state_hash"] = Hexadecimal(result.state_hash);
   json["wheels_averaged_over"] = result.averaged_over;

@@ -32,7 +32,8 @@ class Ground(ctypes.Structure):
                 ("soil_clock", ctypes.c_double), ("threads", ctypes.c_int),
                 ("columns", ctypes.c_size_t), ("volumes", ctypes.c_size_t),
                 ("bytes", ctypes.c_size_t), ("volume_bytes", ctypes.c_size_t),
-                ("rut_volume", ctypes.c_double), ("displaced_volume", ctypes.c_double)]
+                ("rut_volume", ctypes.c_double), ("displaced_volume", ctypes.c_double),
+                ("compaction_volume", ctypes.c_double), ("berm_volume", ctypes.c_double)]
 
 
 class Drive:

@@ -76,7 +76,7 @@ void BM_FirstWrite(benchmark::State& state) {
     state.PauseTiming();
     Ground copy = ground;
     state.ResumeTiming();
-    copy.DeepenPlastic({{{8, 8}, sinkage += 1e-6}});
+    copy.DeepenPlastic(0, {{{8, 8}, sinkage += 1e-6}});
     state.PauseTiming();
     copy = ground;
     state.ResumeTiming();

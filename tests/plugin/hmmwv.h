@@ -86,7 +86,7 @@ inline void Dent(Ground& ground, TileIndex tile, bool compacts) {
   const double dx = ground.settings().grid_spacing, period = ground.settings().soil_clock;
   const SurfaceForce force{{middle.i * dx, middle.j * dx, 0}, {0, 0, compacts ? -2000.0 : -1.0}};
   ground.AddLoad(0, {force}, period);
-  ground.DeepenPlastic({{middle, 0.05}});
+  ground.DeepenPlastic(0, {{middle, 0.05}});
   ground.Pass(period);
 }
 

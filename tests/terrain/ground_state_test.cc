@@ -31,7 +31,7 @@ void Drive(Ground& ground, int from, int steps) {
   for (int step = from; step < from + steps; ++step) {
     const Circle plate{{step / 10, 0}, 0.15, 250e3};
     ground.AddLoad(step / 20 % 2, ForcesOf(plate, 0.05), 0.001);
-    ground.DeepenPlastic({{plate.centre, 0.01 + 0.0001 * step}});
+    ground.DeepenPlastic(0, {{plate.centre, 0.01 + 0.0001 * step}});
     ground.Pass(0.001);
   }
 }

@@ -161,7 +161,7 @@ TEST(Ground, TakesAtMost24BytesPerVolumeAnd200PerColumn) {
 
 TEST(Ground, InFlowYieldsToBearingAtOnce) {
   Ground ground(LooseSoil(), Settings(), FlatGround, 1);
-  ground.DeepenPlastic({{{0, 0}, 0.03}});
+  ground.DeepenPlastic(0, {{{0, 0}, 0.03}});
   EXPECT_EQ(Sinkage(ground), 0.03);
 }
 
@@ -169,11 +169,11 @@ TEST(Ground, InFlowYieldsToBearingAtOnce) {
 TEST(Ground, InFlowCompactsBelowASunkWheel) {
   Ground sunk(LooseSoil(), Settings(), FlatGround, 1),
       level(LooseSoil(), Settings(), FlatGround, 1);
-  ForEachNodeIn(kPlate, 0.05, [&](GridNode node) { sunk.DeepenPlastic({{node, 0.12}}); });
+  ForEachNodeIn(kPlate, 0.05, [&](GridNode node) { sunk.DeepenPlastic(0, {{node, 0.12}}); });
   Press(sunk, kPlate, 0.3, 0.01);
   Press(level, kPlate, 0.3, 0.01);
   const auto compaction = [](const Ground& ground) {
-    return ground.surface().RutVolume() - ground.surface().DisplacedVolume();
+    return ground.surface().CompactionVolume();
   };
   EXPECT_GT(compaction(level), 0);
   EXPECT_NEAR(compaction(sunk) / compaction(level), 1, 0.2);

@@ -1,0 +1,175 @@
+#include "terrain/flow_field.h"
+
+#include <cmath>
+
+namespace softsoil {
+namespace {
+
+// Neighbours all around; the opposite of each direction is 7 less it.
+constexpr GridNode kSteps[8] = {{-1, -1}, {-1, 0}, {-1, 1}, {0, -1},
+                                {0, 1},   {1, -1}, {1, 0},  {1, 1}};
+double Length(GridNode step) { return step.i != 0 && step.j != 0 ? std::sqrt(2.0) : 1.0; }
+
+constexpr double kShare = 1.0 / 8;    // [-]  of an excess of height that slides in one sweep
+constexpr double kTolerance = 0.001;  // [-]  slope that is not levelled
+constexpr double kLeastDirection = 1e-6;
+
+}  // namespace
+
+int FlowField::Find(GridNode node) {
+  int& number = numbers_.At(node, -1);
+  if (number < 0) {
+    const NodeLayers layers = surface_.Layers(node);
+    number = static_cast<int>(nodes_.size());
+    nodes_.push_back({node, layers.firm, layers.moved, layers.moved});
+  }
+  return number;
+}
+
+int FlowField::Neighbour(int k, int direction) {
+  const int known = nodes_[k].neighbours[direction];
+  if (known >= 0) return known;
+  const GridNode node = nodes_[k].node, step = kSteps[direction];
+  const int neighbour = Find({node.i + step.i, node.j + step.j});
+  nodes_[k].neighbours[direction] = neighbour;
+  nodes_[neighbour].neighbours[kDirections - 1 - direction] = k;
+  return neighbour;
+}
+
+void FlowField::Disturb(int k) {
+  const auto add = [this](int n) {
+    if (nodes_[n].is_disturbed) return;
+    nodes_[n].is_disturbed = true;
+    disturbed_.push_back(n);
+  };
+  add(k);
+  for (int d = 0; d < kDirections; ++d) add(Neighbour(k, d));
+}
+
+void FlowField::Add(int k, double thickness) {
+  nodes_[k].moved += thickness;
+  Disturb(k);
+}
+
+int FlowField::BesideFootprint(int k, const Eigen::Vector2d& direction) {
+  const GridNode from = nodes_[k].node;
+  // From the node itself, so that mirrored directions lead to mirrored nodes.
+  for (int way = 1;; ++way) {
+    const int i = static_cast<int>(std::lround(way * direction.x()));
+    const int j = static_cast<int>(std::lround(way * direction.y()));
+    const int beside = Find({from.i + i, from.j + j});
+    if (!nodes_[beside].is_covered) return beside;
+  }
+}
+
+void FlowField::PushAway(int k, const Eigen::Vector2d& direction, double thickness) {
+  const double length = direction.norm();
+  if (length > kLeastDirection) {
+    Add(BesideFootprint(k, direction / length), thickness);
+    return;
+  }
+  for (const GridNode step : kSteps) {
+    const Eigen::Vector2d outward(step.i / Length(step), step.j / Length(step));
+    Add(BesideFootprint(k, outward), thickness / kDirections);
+  }
+}
+
+void FlowField::TakeFrom(const std::vector<int>& givers, double* thickness) {
+  double there = 0;
+  for (const int k : givers) there += nodes_[k].moved;
+  if (there <= 0) return;
+  const double share = std::min(1.0, *thickness / there);
+  for (const int k : givers) Add(k, -share * nodes_[k].moved);
+  *thickness -= share * there;
+}
+
+void FlowField::TakeFromAround(int k, double thickness, int reach) {
+  const auto has_loose = [this](int n) { return nodes_[n].moved > 0; };
+  if (has_loose(k)) TakeFrom({k}, &thickness);
+  std::array<int, kDirections> ends;
+  ends.fill(k);
+  std::vector<int> givers;
+  for (int way = 1; way <= reach && thickness > 0; ++way) {
+    givers.clear();
+    for (int d = 0; d < kDirections; ++d) {
+      ends[d] = Neighbour(ends[d], d);
+      if (!nodes_[ends[d]].is_covered && has_loose(ends[d])) givers.push_back(ends[d]);
+    }
+    TakeFrom(givers, &thickness);
+  }
+  if (thickness > 0) Add(k, -thickness);
+}
+
+// What the neighbours get. Loose soil goes first; firm soil follows where a wall is too high.
+FlowField::Flows FlowField::Outflow(int k) {
+  const double spacing = surface_.spacing();
+  Flows loose{}, firm{};
+  double wanted = 0;
+  for (int d = 0; d < kDirections; ++d) {
+    const int n = Neighbour(k, d);
+    if (nodes_[n].is_covered) continue;
+    const double way = spacing * Length(kSteps[d]), drop = nodes_[k].Height() - nodes_[n].Height();
+    const double stands = slope_.repose * way, flat = kTolerance * way;
+    if (drop > stands + flat) loose[d] = kShare * (drop - stands);
+    if (drop > std::max(stands, slope_.wall) + flat) {
+      firm[d] = kShare * (drop - std::max(stands, slope_.wall));
+    }
+    wanted += loose[d];
+  }
+  const double there = std::max(nodes_[k].moved, 0.0);
+  if (wanted <= there) return loose;
+  const double share = there / wanted;
+  for (int d = 0; d < kDirections; ++d) loose[d] = share * loose[d] + (1 - share) * firm[d];
+  return loose;
+}
+
+void FlowField::Pass(int from, int to, double thickness) {
+  const auto change = [this](int k, double by) {
+    nodes_[k].change += by;
+    if (nodes_[k].is_changing) return;
+    nodes_[k].is_changing = true;
+    changing_.push_back(k);
+  };
+  change(from, -thickness);
+  change(to, thickness);
+}
+
+void FlowField::Sweep() {
+  changing_.clear();
+  for (const int k : disturbed_) {
+    nodes_[k].is_disturbed = false;
+    if (nodes_[k].is_covered) continue;
+    const Flows flows = Outflow(k);
+    for (int d = 0; d < kDirections; ++d) {
+      if (flows[d] > 0) Pass(k, nodes_[k].neighbours[d], flows[d]);
+    }
+  }
+  disturbed_.clear();
+  for (const int k : changing_) {
+    nodes_[k].moved += nodes_[k].change;
+    nodes_[k].change = 0;
+    nodes_[k].is_changing = false;
+    Disturb(k);
+  }
+}
+
+void FlowField::Slide(int sweeps) {
+  changing_.clear();
+  for (int sweep = 0; sweep < sweeps && !disturbed_.empty(); ++sweep) Sweep();
+}
+
+std::vector<GridNode> FlowField::Restless() const {
+  std::vector<GridNode> restless;
+  for (const int k : changing_) restless.push_back(nodes_[k].node);
+  return restless;
+}
+
+std::vector<NodeSoil> FlowField::Moved() const {
+  std::vector<NodeSoil> moved;
+  for (const Node& node : nodes_) {
+    if (node.moved != node.before) moved.push_back({node.node, node.moved});
+  }
+  return moved;
+}
+
+}  // namespace softsoil

@@ -1,0 +1,82 @@
+// The grid nodes that soil moves between in one tick of the soil clock, and how it moves.
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <vector>
+
+#include "terrain/node_table.h"
+#include "terrain/surface.h"
+
+namespace softsoil {
+
+// How steep soil stands between two grid nodes.
+struct SoilSlope {
+  double repose;  // [-]  tangent of the angle of repose: loose soil
+  double wall;    // [m]  besides, firm soil stands as a wall so high
+};
+
+// A scratch copy of some nodes, loaded from the surface as they are needed. All is done in a fixed
+// order, and in thicknesses [m] on cells of equal area, so that what one node loses another gains.
+class FlowField {
+ public:
+  FlowField(const Surface& surface, SoilSlope slope) : surface_(surface), slope_(slope) {}
+
+  // The number of a node in this field.
+  int Find(GridNode node);
+  GridNode NodeOf(int k) const { return nodes_[k].node; }
+
+  // A tire is on the node: soil neither slides there nor away.
+  void Cover(int k) { nodes_[k].is_covered = true; }
+  bool IsCovered(int k) const { return nodes_[k].is_covered; }
+  // What is at the node or around it may no longer stand.
+  void Disturb(int k);
+
+  // Soil pushed away from a covered node comes to lie on the first one in that direction that is
+  // not covered; without a direction, on those all around.
+  void PushAway(int k, const Eigen::Vector2d& direction, double thickness);
+  // Soil comes to lie on the node.
+  void Add(int k, double thickness);
+  // Takes loose soil from the node and then from the nearest in eight directions that have some, at
+  // most `reach` nodes away. Where there is none, the node itself sinks.
+  void TakeFromAround(int k, double thickness, int reach);
+
+  // Lets soil slide, from the disturbed nodes on, in at most so many sweeps. Each node that stands
+  // too steep gives to its neighbours an eighth of the excess of height: together the most that
+  // does not dig a hole at the node.
+  void Slide(int sweeps);
+  // Nodes that did not come to rest.
+  std::vector<GridNode> Restless() const;
+
+  // The loose soil of all nodes where it has changed.
+  std::vector<NodeSoil> Moved() const;
+
+ private:
+  static constexpr int kDirections = 8;
+  struct Node {
+    GridNode node;
+    double firm, moved, before;  // [m]
+    double change = 0;           // [m]  of the present sweep
+    bool is_covered = false, is_disturbed = false, is_changing = false;
+    std::array<int, kDirections> neighbours = {-1, -1, -1, -1, -1, -1, -1, -1};  // -1: not loaded
+
+    double Height() const { return firm + moved; }
+  };
+  using Flows = std::array<double, kDirections>;  // [m]  to the neighbours
+
+  int Neighbour(int k, int direction);
+  // First node that is not covered on the way from k.
+  int BesideFootprint(int k, const Eigen::Vector2d& direction);
+  void TakeFrom(const std::vector<int>& givers, double* thickness);
+  Flows Outflow(int k);
+  void Pass(int from, int to, double thickness);
+  void Sweep();
+
+  const Surface& surface_;
+  SoilSlope slope_;
+  std::vector<Node> nodes_;
+  NodeTable<int> numbers_;
+  std::vector<int> disturbed_, changing_;
+};
+
+}  // namespace softsoil
