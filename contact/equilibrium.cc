@@ -1,19 +1,20 @@
 #include "contact/equilibrium.h"
 
+#include <algorithm>
+
 namespace softsoil {
 
 PressedState Equilibrium(const TireSpring& spring, const PlateCurve& curve,
                          const PressedPoint& point) {
-  const PlaceInSoil place = PlaceAt(curve, point.depth);
-  const double elastic = SpringPressure(spring, point.penetration);
-  if (elastic <= PressureAt(place, point.depth).value) {
-    return {elastic, point.penetration, point.depth, false};
-  }
-  // At `low` the tire presses harder than the soil bears, at `high` it no longer presses at all.
-  double low = 0, high = point.penetration / point.release;
-  // Ground above the undisturbed level (a berm) bears nothing until it is pushed down to it.
-  if (point.depth < 0) low = -point.depth / point.deepening;
-  if (low >= high) return {0, 0, point.depth + point.deepening * high, true};
+  const PlaceInSoil place = PlaceAt(curve, point.depth + point.loose);
+  // Neither does loose soil bear, nor ground above the undisturbed level until it is pushed down to
+  // it. At `low` the tire is through, at `high` it no longer presses at all.
+  const double through = std::max({0.0, point.loose, -point.depth});
+  const double low = through / point.deepening, high = point.penetration / point.release;
+  if (through > 0 && low >= high) return {0, 0, point.depth + point.deepening * high, true};
+  const double left = point.penetration - point.release * low, bare = point.depth + through;
+  const double elastic = SpringPressure(spring, left);
+  if (elastic <= PressureAt(place, bare).value) return {elastic, left, bare, false};
 
   const auto excess = [&](double u) -> ValueAndSlope {
     const double d = point.penetration - point.release * u;

@@ -16,6 +16,7 @@ struct PressedPoint {
   double depth;        // [m]  z_c: of the surface below the undisturbed ground
   double release;      // [-]  loss of penetration per metre that the soil gives way, > 0
   double deepening;    // [-]  gain of depth per metre that the soil gives way, > 0
+  double loose = 0;    // [m]  loose soil on top, in depth: it bears nothing
 };
 
 struct PressedState {
@@ -26,9 +27,10 @@ struct PressedState {
 };
 
 // Solves f(d - release u) = p(z_c + deepening u) for the distance u >= 0 by which the soil gives
-// way; u = 0 where the soil bears the tire as it is. p is the bearing capacity k_e z^n, or below it
-// the line on which soil reloads that springs back. Equations 4.5 to 4.7 and algorithm 4.1.3, with
-// the cosine of kappa in 4.7 (the thesis prints the sine).
+// way; u = 0 where the soil bears the tire as it is. Loose soil is pushed aside first. p is the
+// bearing capacity k_e z^n, or below it the line on which soil reloads that springs back.
+// Equations 4.5 to 4.7 and algorithm 4.1.3, with the cosine of kappa in 4.7 (the thesis prints the
+// sine).
 //
 // The left side falls and the right side grows with u, so there is one root, and it is found to
 // 1e-12 m of u or 1e-9 of the pressure.

@@ -1,5 +1,7 @@
 #include "contact/plastic_sinkage.h"
 
+#include <algorithm>
+
 #include "contact/equilibrium.h"
 
 namespace softsoil {
@@ -36,8 +38,13 @@ void PlasticSinkage(const Tire& tire, const TirePose& pose, const SurfacePatch& 
                                      patch.Height(a, b));
       PressedPoint point;
       if (!PointBelow(tire.shape, pose, ground_w, patch.Sinkage(a, b), &point)) continue;
+      point.loose = patch.Loose(a, b);
       const PressedState state = Equilibrium(tire.spring, curve, point);
-      if (state.yields) sinkage->push_back({node, ResidualDepth(curve, state.depth)});
+      if (!state.yields && point.loose <= 0) continue;
+      // Loose soil does not spring back.
+      const double through = std::min(state.depth, point.depth + point.loose);
+      const double firm = state.yields ? ResidualDepth(curve, state.depth) : through;
+      sinkage->push_back({node, std::max(firm, through)});
     }
   }
 }

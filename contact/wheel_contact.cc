@@ -101,6 +101,7 @@ bool WheelContact::Press(int i, const TirePose& pose, const SurfacePatch& patch,
   PressedPoint point;
   point.penetration = std::min(below / std::max(descent, kLeastDescent), nodes_.radius[i]);
   point.depth = ground.sinkage;
+  point.loose = ground.loose;
   point.release = 1;
   point.deepening =
       std::max(Descent(radial_w, ground.undisturbed_x, ground.undisturbed_y), kLeastDescent);

@@ -100,7 +100,7 @@ softsoilGround GroundResult(const SoilBinding& soil) {
   result.volume_bytes = ground.VolumeBytes();
   result.rut_volume = ground.surface().RutVolume();
   result.displaced_volume = ground.surface().DisplacedVolume();
-  result.compaction_volume = ground.surface().CompactionVolume();
+  result.densified_volume = ground.surface().CompactionVolume();
   result.berm_volume = ground.surface().BermVolume();
   return result;
 }

@@ -91,7 +91,7 @@ typedef struct softsoilGround_ {
   double rut_volume;        // [m^3]  below the undisturbed ground
   double
       displaced_volume;  // [m^3]  pressed away by wheels beyond compaction; it has moved elsewhere
-  double compaction_volume;  // [m^3]  lost, the soil being denser
+  double densified_volume;   // [m^3]  lost, the soil being denser
   double berm_volume;        // [m^3]  above the undisturbed ground
 } softsoilGround;
 

@@ -29,8 +29,10 @@ SurfacePoint SurfacePatch::At(double x, double y) const {
   const std::size_t k = static_cast<std::size_t>(a) * nodes_y_ + b;
   const Bilinear height(&height_[k], &height_[k + nodes_y_], gx - a, gy - b, spacing_);
   const Bilinear sinkage(&sinkage_[k], &sinkage_[k + nodes_y_], gx - a, gy - b, spacing_);
+  const Bilinear loose(&loose_[k], &loose_[k + nodes_y_], gx - a, gy - b, spacing_);
   return {height.value,
           sinkage.value,
+          loose.value,
           height.slope_x,
           height.slope_y,
           height.slope_x + sinkage.slope_x,
@@ -82,6 +84,7 @@ void Surface::CopyPatch(double x_min, double x_max, double y_min, double y_max,
   const std::size_t count = static_cast<std::size_t>(patch->nodes_x_) * patch->nodes_y_;
   patch->height_.resize(count);
   patch->sinkage_.resize(count);
+  patch->loose_.resize(count);
   std::size_t k = 0;
   for (int a = 0; a < patch->nodes_x_; ++a) {
     const Tile* tile = nullptr;
@@ -90,6 +93,7 @@ void Surface::CopyPatch(double x_min, double x_max, double y_min, double y_max,
       if (b == 0 || (node.j & (kTileSide - 1)) == 0) tile = tiles_.Find(TileOf(node));
       const int place = PlaceInTile(node);
       patch->sinkage_[k] = tile != nullptr ? tile->Sinkage(place) : 0.0;
+      patch->loose_[k] = tile != nullptr ? std::max((*tile->moved)[place], 0.0) : 0.0;
       const double undisturbed = tile != nullptr ? (*tile->undisturbed)[place] : Undisturbed(node);
       patch->height_[k] = undisturbed - patch->sinkage_[k];
     }

@@ -47,6 +47,7 @@ struct NodeLayers {
 struct SurfacePoint {
   double height;                        // [m]
   double sinkage;                       // [m]  below the undisturbed ground; below 0 on a berm
+  double loose;                         // [m]  thickness of moved soil on top, which bears nothing
   double slope_x, slope_y;              // [-]  dz/dx and dz/dy of the surface
   double undisturbed_x, undisturbed_y;  // [-]  the same of the undisturbed ground
 };
@@ -64,6 +65,7 @@ class SurfacePatch {
   int nodes_y() const { return nodes_y_; }
   double Height(int a, int b) const { return height_[a * nodes_y_ + b]; }  // [m] at first + (a, b)
   double Sinkage(int a, int b) const { return sinkage_[a * nodes_y_ + b]; }  // [m]
+  double Loose(int a, int b) const { return loose_[a * nodes_y_ + b]; }      // [m]
   double highest() const { return highest_; }                                // [m]
 
  private:
@@ -72,7 +74,7 @@ class SurfacePatch {
   GridNode first_{0, 0};
   int nodes_x_ = 0, nodes_y_ = 0;
   double highest_ = 0;
-  std::vector<double> height_, sinkage_;
+  std::vector<double> height_, sinkage_, loose_;
 };
 
 // Copies share what has not changed since.

@@ -108,7 +108,7 @@ class Driven {
     SteadyState state = window.State(*simulation_);
     const softsoilGround after = simulation_->Ground();
     const double displaced = after.displaced_volume - before.displaced_volume;
-    const double denser = after.compaction_volume - before.compaction_volume;
+    const double denser = after.densified_volume - before.densified_volume;
     const double rut = displaced + denser;
     state.densified_share = denser > kRounding * rut ? denser / rut : 0;
     return state;

@@ -95,7 +95,7 @@ void WriteSummary(const RunOptions& options, const RunResult& result) {
   json["bytes_per_volume"] = Share(ground.volume_bytes, ground.volumes);
   json["rut_volume"] = ground.rut_volume;
   json["displaced_volume"] = ground.displaced_volume;
-  json["compaction_volume"] = ground.compaction_volume;
+  json["densified_volume"] = ground.densified_volume;
   json["berm_volume"] = ground.berm_volume;
   json["compaction_energy"] = CompactionEnergy(result);
   json["state_hash"] = Hexadecimal(result.state_hash);

@@ -126,6 +126,18 @@ TEST(Equilibrium, IsTwoSpringsInSeriesOnALinearSoil) {
   EXPECT_NEAR(c.Solve().penetration, 0.02, 1e-9);
 }
 
+// 2 cm of loose soil in a rut 5 cm deep: the tire meets the floor of the rut.
+TEST(Equilibrium, PushesLooseSoilAsideBeforeTheFirmSoilBears) {
+  const Case bare{{2e6, 0, 0, 0}, 1e6, 1, {0.06, 0.05, 1, 1}};
+  const Case filled{{2e6, 0, 0, 0}, 1e6, 1, {0.08, 0.03, 1, 1, 0.02}};
+  EXPECT_NEAR(filled.Solve().depth, bare.Solve().depth, 1e-9);
+  EXPECT_NEAR(filled.Solve().pressure / bare.Solve().pressure, 1, 1e-6);
+  const Case light{{2e6, 0, 0, 0}, 1e6, 1, {0.04, 0.03, 1, 1, 0.02}};
+  EXPECT_NEAR(light.Solve().depth, 0.05, 1e-12);
+  EXPECT_NEAR(light.Solve().penetration, 0.02, 1e-12);
+  EXPECT_FALSE(light.Solve().yields);
+}
+
 TEST(Equilibrium, PushesABermDownBeforeItBears) {
   const Case c{{2e6, 0, 0, 0}, 1e6, 1, {0.08, -0.02, 1, 1}};
   EXPECT_NEAR(c.Solve().depth, 0.04, 1e-9);  // the case above, after 2 cm of berm

@@ -70,7 +70,8 @@ TEST(Rolling, LeavesARutOnlyInFlow) {
   EXPECT_GT(DeepestRut(flow.ground()), 0.03);
   EXPECT_LT(DeepestRut(compaction.ground()), 0.01);
   EXPECT_GT(flow.ground().surface().DisplacedVolume(), 0);
-  EXPECT_LE(flow.ground().surface().DisplacedVolume(), flow.ground().surface().RutVolume());
+  EXPECT_GT(flow.ground().surface().BermVolume(), 0);
+  EXPECT_EQ(compaction.ground().surface().BermVolume(), 0);
   EXPECT_EQ(compaction.ground().surface().DisplacedVolume(), 0);
 }
 

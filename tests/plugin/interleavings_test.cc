@@ -203,7 +203,7 @@ TEST(Interleavings, HaveARutAndAForceToCompare) {
   softsoilGround ground = {};
   ASSERT_EQ(softsoil_ground(d.get(), &ground), 0) << softsoil_error();
   EXPECT_GT(ground.rut_volume, 1e-4);
-  EXPECT_LT(ground.displaced_volume, 0.99 * ground.rut_volume) << "part of it is compaction";
+  EXPECT_GT(ground.densified_volume, 0.01 * ground.displaced_volume) << "part of it is compaction";
   EXPECT_NE(plain.Run({0, 1}).numbers, plain.Run({1, 0}).numbers);
   EXPECT_NE(plain.Run({0, 1}).hash, plain.Run({1, 0}).hash);
 }
