@@ -83,7 +83,7 @@ def draw_ground(axes, sinkage, cells, spacing):
     norm = Normalize(0, 100 * deepest)
     colours = SOIL_COLOURS(norm(100 * sinkage))[:, :, :3]
     # Only in the rut: a bright rim beside it would look like soil thrown up.
-    light = np.where(sinkage > MOVED, np.clip(sunlight(sinkage, spacing), 0.7, 1.1), 1)[:, :, None]
+    light = np.where(np.abs(sinkage) > MOVED, np.clip(sunlight(sinkage, spacing), 0.7, 1.1), 1)[:, :, None]
     axes.imshow(np.clip(colours * light, 0, 1), origin="lower", extent=cells,
                 interpolation="bilinear")
     return matplotlib.cm.ScalarMappable(norm, SOIL_COLOURS)
