@@ -11,7 +11,7 @@ PressedState Equilibrium(const TireSpring& spring, const PlateCurve& curve,
   // it. At `low` the tire is through, at `high` it no longer presses at all.
   const double through = std::max({0.0, point.loose, -point.depth});
   const double low = through / point.deepening, high = point.penetration / point.release;
-  if (through > 0 && low >= high) return {0, 0, point.depth + point.deepening * high, true};
+  if (through > 0 && low >= high) return {0, 0, point.depth + point.deepening * high, high > 0};
   const double left = point.penetration - point.release * low, bare = point.depth + through;
   const double elastic = SpringPressure(spring, left);
   if (elastic <= PressureAt(place, bare).value) return {elastic, left, bare, false};
