@@ -4,11 +4,14 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cstdio>
 #include <functional>
+#include <new>
 #include <string>
 #include <vector>
 
+#include "terrain/worker_pool.h"
 #include "tests/faults/driven_wheel.h"
 #include "tests/faults/failing_memory.h"
 
@@ -208,3 +211,22 @@ TEST(OutOfMemoryInACall, LeavesAMjDataWithoutSoilOrWithAllOfIt) {
 
 }  // namespace
 }  // namespace softsoil
+// More helpers than processors; those that came before memory ran out need what they work on.
+TEST(OutOfMemoryInALoop, LeavesItToTheHelpersThatAreThere) {
+  WorkerPool pool(4);
+  std::vector<std::atomic<int>> calls(100);
+  const std::function<void(int)> body = [&](int i) { ++calls[i]; };
+  for (long n = 1;; ++n) {
+    for (auto& of_one : calls) of_one = 0;
+    const FailingMemory memory(Whose::kThisThread, n);
+    try {
+      pool.ForEach(100, 4, body);
+    } catch (const std::bad_alloc&) {
+      ASSERT_EQ(n, 1) << "but for the loop itself";
+      continue;
+    }
+    for (const auto& of_one : calls) ASSERT_EQ(of_one, 1) << n;
+    if (!memory.HasFailed()) return;
+  }
+}
+
