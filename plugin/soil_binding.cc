@@ -100,8 +100,9 @@ void SoilBinding::SetState(const SoilState& state, mjData* d) {
 
 void SoilBinding::Restore(const SoilState& state) {
   if (state.plan != plan_) RequireSame(IdentityOf(*state.plan), IdentityOf(*plan_), "the state");
+  StepWatch watch = state.watch;
   SetWheels(state.wheels, state.pending);
-  watch_ = state.watch;
+  watch_ = std::move(watch);
   for (std::size_t i = 0; i < shares_.size(); ++i) shares_[i].Expect(state.shares[i]);
   is_restored_ = true;
 }

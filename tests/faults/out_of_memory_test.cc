@@ -190,6 +190,15 @@ TEST(OutOfMemoryInACall, SaysSoAndChangesNothing) {
   std::remove(path.c_str());
 }
 
+TEST(OutOfMemoryInACall, RestoresAllOrNothing) {
+  DrivenWheel wheel;
+  const std::uint64_t driven = HashOf(wheel.d.get());
+  ASSERT_EQ(softsoil_reset(wheel.m.get(), wheel.d.get()), 0) << softsoil_error();
+  EXPECT_NE(HashOf(wheel.d.get()), driven);
+  FailEverywhere([&] { return softsoil_restore(wheel.d.get(), wheel.snapshot); }, wheel.d.get());
+  EXPECT_EQ(HashOf(wheel.d.get()), driven);
+}
+
 TEST(OutOfMemoryInACall, LeavesAMjDataWithoutSoilOrWithAllOfIt) {
   const Model m = Load(WheelOnLooseSoil().Mjcf());
   const Data d = MakeData(m);
@@ -209,8 +218,6 @@ TEST(OutOfMemoryInACall, LeavesAMjDataWithoutSoilOrWithAllOfIt) {
   EXPECT_EQ(softsoil_wheel_count(d.get()), 1);
 }
 
-}  // namespace
-}  // namespace softsoil
 // More helpers than processors; those that came before memory ran out need what they work on.
 TEST(OutOfMemoryInALoop, LeavesItToTheHelpersThatAreThere) {
   WorkerPool pool(4);
@@ -230,3 +237,5 @@ TEST(OutOfMemoryInALoop, LeavesItToTheHelpersThatAreThere) {
   }
 }
 
+}  // namespace
+}  // namespace softsoil
