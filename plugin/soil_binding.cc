@@ -116,6 +116,7 @@ SoilState SoilBinding::Undisturbed() const {
 // The marks of the state of now: the one that we left, and the one that it had where it came from.
 void SoilBinding::FollowMark(const mjData* d) {
   if (history_ == nullptr) return;
+  const std::lock_guard<std::mutex> lock(following_);
   const RevisionMark mark = MarkIn(nuserdata_, d);
   if (mark == mark_ || (mark == other_mark_ && !mark.IsUndisturbed())) return;
   if (mark.IsUndisturbed()) {

@@ -4,6 +4,7 @@
 #include <mujoco/mujoco.h>
 
 #include <memory>
+#include <mutex>
 #include <string>
 #include <vector>
 
@@ -35,7 +36,7 @@ class SoilBinding {
   void Reset(mjData* d);
 
   // If userdata has the mark of another state of the soil, that state is the one of now. Throws
-  // InputError if it is no longer held.
+  // InputError if it is no longer held. From any number of threads.
   void FollowMark(const mjData* d);
 
   // The state of now, from any number of threads at a time, and one as it was, of the same plan or
@@ -107,6 +108,7 @@ class SoilBinding {
   std::unique_ptr<SoilHistory> history_;  // null: no marks
   RevisionMark mark_;                     // of the state of now, as in userdata
   RevisionMark other_mark_;               // the one it had where it came from
+  std::mutex following_;                  // of threads that copy from one mjData
   std::size_t bytes_copied_ = 0;          // until the last revision
 };
 
