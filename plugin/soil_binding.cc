@@ -41,13 +41,12 @@ std::size_t OwnBytes(const SoilState& state) {
 
 }  // namespace
 
-SoilBinding::SoilBinding(std::shared_ptr<const SoilPlan> plan, const mjModel* m)
+SoilBinding::SoilBinding(std::shared_ptr<const SoilPlan> plan)
     : plan_(std::move(plan)),
       soft_wheels_(plan_->soil, plan_->terrain, plan_->ground.height, plan_->tires),
-      shares_(plan_->wheels.size()),
-      nuserdata_(m->nuserdata) {
+      shares_(plan_->wheels.size()) {
   for (const Wheel& wheel : plan_->wheels) tire_frame_b_.push_back(TireFrame(wheel.axis_b));
-  if (HasRoomForMark(m) && plan_->history > 0) {
+  if (HasRoomForMark(plan_->nuserdata) && plan_->history > 0) {
     history_ = std::make_unique<SoilHistory>(plan_->history);
   }
   for (Evaluation* evaluation : {&now_, &pending_}) {
@@ -117,7 +116,7 @@ SoilState SoilBinding::Undisturbed() const {
 void SoilBinding::FollowMark(const mjData* d) {
   if (history_ == nullptr) return;
   const std::lock_guard<std::mutex> lock(following_);
-  const RevisionMark mark = MarkIn(nuserdata_, d);
+  const RevisionMark mark = MarkIn(plan_->nuserdata, d);
   if (mark == mark_ || (mark == other_mark_ && !mark.IsUndisturbed())) return;
   if (mark.IsUndisturbed()) {
     StartAfresh();
@@ -135,7 +134,7 @@ void SoilBinding::LeaveMark(mjData* d) {
   const std::size_t copied = soft_wheels_.ground().BytesCopied();
   history_->Add(&state, copied - std::exchange(bytes_copied_, copied) + OwnBytes(state));
   mark_ = other_mark_ = state.mark;
-  PutMark(mark_, nuserdata_, d);
+  PutMark(mark_, plan_->nuserdata, d);
 }
 
 void SoilBinding::OnPassive(const mjModel* m, mjData* d) {
@@ -242,7 +241,7 @@ void SoilBinding::Reset(mjData* d) {
   RemoveForces(d);
   watch_ = StepWatch{};
   mark_ = other_mark_ = RevisionMark{};
-  if (history_ != nullptr) PutMark(mark_, nuserdata_, d);
+  if (history_ != nullptr) PutMark(mark_, plan_->nuserdata, d);
 }
 
 bool SoilBinding::RemovesContact(int geom1, int geom2) const {

@@ -17,8 +17,8 @@ namespace softsoil {
 
 class SoilBinding {
  public:
-  // Soil for a mjData of the model; undisturbed.
-  SoilBinding(std::shared_ptr<const SoilPlan> plan, const mjModel* m);
+  // Soil for a mjData of the model of the plan; undisturbed.
+  explicit SoilBinding(std::shared_ptr<const SoilPlan> plan);
   SoilBinding(const SoilBinding&) = delete;  // latest_ points into the object
   SoilBinding& operator=(const SoilBinding&) = delete;
 
@@ -104,7 +104,6 @@ class SoilBinding {
   bool warned_of_depth_ = false;
   const Evaluation* latest_ = &pending_;
 
-  const int nuserdata_;                   // of the model
   std::unique_ptr<SoilHistory> history_;  // null: no marks
   RevisionMark mark_;                     // of the state of now, as in userdata
   RevisionMark other_mark_;               // the one it had where it came from
