@@ -91,14 +91,29 @@ SoilState SoilBinding::State(const mjData* d) const {
 }
 
 void SoilBinding::SetState(const SoilState& state, mjData* d) {
+  // All that may fail comes first.
+  RequireSameSoil(state);
+  SoilState own = state;
+  own.plan = plan_;
+  own.shares = shares_;
+  for (std::size_t i = 0; i < shares_.size(); ++i) {
+    own.shares[i].Expect(state.shares[i]);
+    own.shares[i].Recognise(Row(d, i));
+  }
+  if (history_ != nullptr) history_->Add(&own, OwnBytes(own));
   Restore(state);
-  const RevisionMark marked = state.mark;
-  LeaveMark(d);
-  other_mark_ = marked;
+
+  other_mark_ = state.mark;
+  if (history_ == nullptr) return;
+  mark_ = own.mark;
+  PutMark(mark_, plan_->nuserdata, d);
+}
+
+void SoilBinding::RequireSameSoil(const SoilState& state) const {
+  if (state.plan != plan_) RequireSame(IdentityOf(*state.plan), IdentityOf(*plan_), "the state");
 }
 
 void SoilBinding::Restore(const SoilState& state) {
-  if (state.plan != plan_) RequireSame(IdentityOf(*state.plan), IdentityOf(*plan_), "the state");
   StepWatch watch = state.watch;
   SetWheels(state.wheels, state.pending);
   watch_ = std::move(watch);
@@ -122,7 +137,9 @@ void SoilBinding::FollowMark(const mjData* d) {
     StartAfresh();
     watch_ = StepWatch{};
   } else {
-    Restore(*StateMarked(mark));
+    const std::shared_ptr<const SoilState> state = StateMarked(mark);
+    RequireSameSoil(*state);
+    Restore(*state);
   }
   mark_ = other_mark_ = mark;
 }

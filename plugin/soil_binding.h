@@ -42,7 +42,8 @@ class SoilBinding {
   // The state of now, from any number of threads at a time, and one as it was, of the same plan or
   // one that gives the same soil. The rows of xfrc_applied and the mark in userdata belong to it.
   SoilState State(const mjData* d) const;
-  void SetState(const SoilState& state, mjData* d);  // throws InputError
+  // If SetState() throws, InputError for one, nothing has changed.
+  void SetState(const SoilState& state, mjData* d);
   SoilState Undisturbed() const;
 
   // Whether steps went by, until `time` [s], at which MuJoCo did not ask for forces.
@@ -80,7 +81,8 @@ class SoilBinding {
   const double* Row(const mjData* d, std::size_t wheel) const {
     return Row(const_cast<mjData*>(d), wheel);
   }
-  void Restore(const SoilState& state);
+  void RequireSameSoil(const SoilState& state) const;  // throws InputError
+  void Restore(const SoilState& state);                // of the same soil
   void LeaveMark(mjData* d);
   // Takes the forces away and says why.
   void GoWithout(const std::string& fault, mjData* d);

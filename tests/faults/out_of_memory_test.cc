@@ -191,12 +191,15 @@ TEST(OutOfMemoryInACall, SaysSoAndChangesNothing) {
 }
 
 TEST(OutOfMemoryInACall, RestoresAllOrNothing) {
-  DrivenWheel wheel;
-  const std::uint64_t driven = HashOf(wheel.d.get());
-  ASSERT_EQ(softsoil_reset(wheel.m.get(), wheel.d.get()), 0) << softsoil_error();
-  EXPECT_NE(HashOf(wheel.d.get()), driven);
-  FailEverywhere([&] { return softsoil_restore(wheel.d.get(), wheel.snapshot); }, wheel.d.get());
-  EXPECT_EQ(HashOf(wheel.d.get()), driven);
+  for (const int nuserdata : {0, 2}) {
+    DrivenWheel wheel(WheelOnLooseSoil(nuserdata));
+    mjData* d = wheel.d.get();
+    const std::uint64_t driven = HashOf(d);
+    ASSERT_EQ(softsoil_reset(wheel.m.get(), d), 0) << softsoil_error();
+    EXPECT_NE(HashOf(d), driven);
+    FailEverywhere([&] { return softsoil_restore(d, wheel.snapshot); }, d);
+    EXPECT_EQ(HashOf(d), driven);
+  }
 }
 
 TEST(OutOfMemoryInACall, LeavesAMjDataWithoutSoilOrWithAllOfIt) {
