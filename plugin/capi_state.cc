@@ -39,7 +39,7 @@ int softsoil_copy(mjData* dst, const mjData* src) {
     const std::shared_ptr<SoilEntry> from = EntryOf(src);
     if (dst == src) return;
     const SoilState state = SoilOf(src)->State(src);
-    softsoil::GiveSoilIfNone(from->fingerprint.model, src, dst, state.plan);
+    softsoil::GiveSoilIfNone(from->fingerprint, src, dst, state.plan);
     softsoil::RestoreSoil(dst, state);
   });
 }
@@ -73,8 +73,8 @@ int softsoil_load(mjData* d, const char* path) {
 
 int softsoil_save_simulation(const mjModel* m, const mjData* d, const char* path) {
   return Fenced([&] {
-    Require(m, "mjModel");
     Require(path, "path");
+    EntryOf(m, d);
     const ModelData data{m, const_cast<mjData*>(d)};
     softsoil::SaveState(path, SoilOf(d)->State(d), &data);
   });
@@ -82,7 +82,7 @@ int softsoil_save_simulation(const mjModel* m, const mjData* d, const char* path
 
 int softsoil_load_simulation(const mjModel* m, mjData* d, const char* path) {
   return Fenced([&] {
-    Require(m, "mjModel");
+    EntryOf(m, d);
     const ModelData data{m, d};
     Load(d, path, &data);
   });

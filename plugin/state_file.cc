@@ -83,7 +83,7 @@ void WriteState(const SoilState& state, const ModelData* data, const StateWriter
   writer.Put(data != nullptr);
   if (data != nullptr) {
     // A mark names nothing in another process.
-    const bool is_marked = HasRoomForMark(data->m) && state.plan->history > 0;
+    const bool is_marked = HasRoomForMark(data->m->nuserdata) && state.plan->history > 0;
     Write(data->m, data->d, is_marked ? kMarkSize : 0, writer);
   }
   const std::uint64_t checksum = writer.Finish();

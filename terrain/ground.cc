@@ -56,9 +56,10 @@ void Ground::DeepenPlastic(const std::vector<NodeSinkage>& plastic) {
 }
 
 void Ground::Pass(double h) {
-  if (!clock_.Pass(h)) return;
-  Join();
-  Start(clock_.Elapsed());
+  if (clock_.Pass(h)) {
+    Join();
+    Start(clock_.Elapsed());
+  }
   if (settings_.sync) Join();
 }
 

@@ -59,17 +59,25 @@ void LoadGatherer::Reserve(const std::vector<SurfaceForce>& forces) {
 }
 
 Eigen::Vector3d& LoadGatherer::At(GridNode node) {
-  if (places_.map.size() == 0) {
-    for (std::size_t k = 0; k < impulses_.size(); ++k) {
-      PlaceOf(impulses_[k].node) = static_cast<int>(k);
-    }
-  }
+  if (places_.map.size() == 0) FindPlaces();
   int& place = PlaceOf(node);
   if (place < 0) {
     impulses_.push_back({node, Eigen::Vector3d::Zero()});
     place = static_cast<int>(impulses_.size()) - 1;
   }
   return impulses_[place].impulse_w;
+}
+
+// All or none: with some alone a node would get a second impulse.
+void LoadGatherer::FindPlaces() {
+  try {
+    for (std::size_t k = 0; k < impulses_.size(); ++k) {
+      PlaceOf(impulses_[k].node) = static_cast<int>(k);
+    }
+  } catch (...) {
+    places_.map.Clear();
+    throw;
+  }
 }
 
 int& LoadGatherer::PlaceOf(GridNode node) {

@@ -86,6 +86,7 @@ class LoadGatherer {
   Cell CellOf(const SurfaceForce& force) const;
   std::vector<Impulse> InOrder() const;
   Eigen::Vector3d& At(GridNode node);
+  void FindPlaces();
   int& PlaceOf(GridNode node);
 
   double spacing_;

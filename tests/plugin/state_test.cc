@@ -1,5 +1,6 @@
 // Soil as state: after any copy, snapshot or file the future has the same bits as without.
 #include <gmock/gmock.h>
+#include <unistd.h>
 
 #include <cstdio>
 #include <memory>
@@ -96,7 +97,7 @@ TEST(SoilState, IsRestoredFromASnapshotAnyNumberOfTimes) {
 }
 
 TEST(SoilState, GoesOnAlikeFromAFile) {
-  const std::string path = testing::TempDir() + "softsoil_state";
+  const std::string path = testing::TempDir() + "softsoil_state_" + std::to_string(getpid());
   Driven a;
   ASSERT_EQ(softsoil_save_simulation(a.m.get(), a.d.get(), path.c_str()), 0) << softsoil_error();
   Simulation b(CompactingWheel());
