@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "plugin/failure.h"
+#include "plugin/fence.h"
 #include "plugin/log.h"
 #include "plugin/mujoco_symbols.h"
 #include "plugin/out_of_memory.h"
@@ -240,37 +241,38 @@ void GiveSoil(const mjModel* m, mjData* d, std::shared_ptr<const SoilPlan> plan)
   ResetSoil(m, d);
 }
 
-void GiveSoilIfNone(const Fingerprint& of_src, const mjData* src, mjData* dst,
-                    std::shared_ptr<const SoilPlan> plan) {
-  const std::shared_ptr<SoilEntry> entry = Registry::Get().Find(dst);
-  if (entry != nullptr && entry->soil != nullptr && entry->fingerprint.buffer == dst->buffer)
-    return;
-  if (dst->nbuffer != src->nbuffer) throw InputError("the mjData are of different models");
-  PutEntry({of_src.model, dst->buffer, of_src.content}, dst, MakeSoil(std::move(plan)));
-}
-
 void ResetSoil(const mjModel* m, mjData* d) {
-  const std::shared_ptr<SoilEntry> entry = Registry::Get().Find(d);
-  const bool is_known = entry != nullptr && entry->soil != nullptr;
-  if (!is_known || !(entry->fingerprint == FingerprintOf(m, d))) {
-    throw InputError("this mjData has no soil for this mjModel: call softsoil_attach() first");
-  }
+  const std::shared_ptr<SoilEntry> entry = EntryOf(m, d);
   entry->soil->Reset(d);
   entry->lost_because.clear();
 }
 
 void TakeSoil(const mjModel* m, mjData* d) {
-  ResetSoil(m, d);
-  PutEntry(FingerprintOf(m, d), d, nullptr);
+  const std::shared_ptr<SoilEntry> entry = EntryOf(m, d);
+  PutEntry(entry->fingerprint, d, nullptr);
+  entry->soil->Reset(d);
 }
 
 void RestoreSoil(mjData* d, const SoilState& state) {
-  const std::shared_ptr<SoilEntry> entry = Registry::Get().Find(d);
-  if (entry == nullptr || entry->soil == nullptr || entry->fingerprint.buffer != d->buffer) {
-    throw InputError("this mjData has no soil: call softsoil_attach() first");
-  }
+  const std::shared_ptr<SoilEntry> entry = EntryOf(d);
   entry->soil->SetState(state, d);
   entry->lost_because.clear();
+}
+
+void CopySoil(const Fingerprint& of_src, const mjData* src, const SoilState& state, mjData* dst) {
+  const std::shared_ptr<SoilEntry> entry = Registry::Get().Find(dst);
+  if (entry != nullptr && entry->soil != nullptr && entry->fingerprint.buffer == dst->buffer) {
+    RestoreSoil(dst, state);
+    return;
+  }
+  if (dst->nbuffer != src->nbuffer) throw InputError("the mjData are of different models");
+  PutEntry({of_src.model, dst->buffer, of_src.content}, dst, MakeSoil(state.plan));
+  try {
+    RestoreSoil(dst, state);
+  } catch (...) {
+    Registry::Get().Erase(dst);
+    throw;
+  }
 }
 
 }  // namespace softsoil

@@ -129,8 +129,12 @@ SoilState SoilBinding::Undisturbed() const {
 
 // The marks of the state of now: the one that we left, and the one that it had where it came from.
 void SoilBinding::FollowMark(const mjData* d) {
-  if (history_ == nullptr) return;
   const std::lock_guard<std::mutex> lock(following_);
+  Follow(d);
+}
+
+void SoilBinding::Follow(const mjData* d) {
+  if (history_ == nullptr) return;
   const RevisionMark mark = MarkIn(plan_->nuserdata, d);
   if (mark == mark_ || (mark == other_mark_ && !mark.IsUndisturbed())) return;
   if (mark.IsUndisturbed()) {
@@ -155,7 +159,7 @@ void SoilBinding::LeaveMark(mjData* d) {
 }
 
 void SoilBinding::OnPassive(const mjModel* m, mjData* d) {
-  FollowMark(d);
+  Follow(d);
   const std::string fault = TimeFault(m, d);
   if (!fault.empty()) {
     GoWithout(fault, d);

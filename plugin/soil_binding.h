@@ -36,7 +36,7 @@ class SoilBinding {
   void Reset(mjData* d);
 
   // If userdata has the mark of another state of the soil, that state is the one of now. Throws
-  // InputError if it is no longer held. From any number of threads.
+  // InputError if it is no longer held. From any number of threads, but for the one that steps.
   void FollowMark(const mjData* d);
 
   // The state of now, from any number of threads at a time, and one as it was, of the same plan or
@@ -70,6 +70,7 @@ class SoilBinding {
     double h = 0;  // [s]
   };
 
+  void Follow(const mjData* d);
   void StartAfresh();
   // If it throws nothing has changed.
   void SetWheels(SoftWheelsState wheels, const PendingEvaluation& pending);

@@ -8,7 +8,6 @@
 #include <filesystem>
 #include <memory>
 
-#include "plugin/mujoco_state.h"
 #include "plugin/soil_identity.h"
 #include "terrain/input_error.h"
 #include "terrain/output_file.h"
@@ -38,7 +37,9 @@ SoilIdentity ReadIdentity(StateReader& reader) {
 
 std::vector<unsigned char> Bytes(const std::string& path) {
   std::error_code error;
-  if (std::filesystem::is_directory(path, error)) throw InputError("is a folder");
+  const std::filesystem::file_type type = std::filesystem::status(path, error).type();
+  if (type == std::filesystem::file_type::directory) throw InputError("is a folder");
+  if (type == std::filesystem::file_type::fifo) throw InputError("is a pipe");
   const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "rb"),
                                                              &std::fclose);
   if (file == nullptr) throw InputError(std::string("cannot read: ") + std::strerror(errno));
@@ -103,22 +104,22 @@ void SaveState(const std::string& path, const SoilState& state, const ModelData*
   }
 }
 
-SoilState ParseState(const std::vector<unsigned char>& bytes, const SoftWheels& wheels,
-                     const SoilState& undisturbed, const ModelData* data) {
+SavedState ParseState(const std::vector<unsigned char>& bytes, const SoftWheels& wheels,
+                      const SoilState& undisturbed, const mjModel* m) {
   StateReader reader = Checked(bytes);
   RequireSame(ReadIdentity(reader), IdentityOf(*undisturbed.plan), "the state");
-  SoilState state = ReadSoilState(reader, wheels, undisturbed);
-  for (OwnShare& share : state.shares) share.Read(reader);
+  SavedState state{ReadSoilState(reader, wheels, undisturbed), {}};
+  for (OwnShare& share : state.soil.shares) share.Read(reader);
   const bool has_data = reader.GetFlag();
-  if (data == nullptr) return state;
+  if (m == nullptr) return state;
   if (!has_data) throw InputError("holds the soil alone, not the state of the mjData");
-  Read(reader, data->m, data->d);
+  state.mujoco = ReadMujocoState(reader, m);
   return state;
 }
 
-SoilState LoadState(const std::string& path, const SoftWheels& wheels, const SoilState& undisturbed,
-                    const ModelData* data) {
-  return At(path, [&] { return ParseState(Bytes(path), wheels, undisturbed, data); });
+SavedState LoadState(const std::string& path, const SoftWheels& wheels,
+                     const SoilState& undisturbed, const mjModel* m) {
+  return At(path, [&] { return ParseState(Bytes(path), wheels, undisturbed, m); });
 }
 
 }  // namespace softsoil
