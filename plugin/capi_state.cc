@@ -39,7 +39,7 @@ int softsoil_copy(mjData* dst, const mjData* src) {
     const std::shared_ptr<SoilEntry> from = EntryOf(src);
     if (dst == src) return;
     const SoilState state = SoilOf(src)->State(src);
-    softsoil::GiveSoilIfNone(from->fingerprint.model, src, dst, state.plan);
+    softsoil::GiveSoilIfNone(from->fingerprint, src, dst, state.plan);
     softsoil::RestoreSoil(dst, state);
   });
 }

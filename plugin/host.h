@@ -31,7 +31,7 @@ void GiveSoil(const mjModel* m, mjData* d, std::shared_ptr<const SoilPlan> plan)
 
 // The same for `dst`, to be restored at once, if it has none yet. Its xfrc_applied may be a copy of
 // that of `src`. Throws InputError if it is not of the model of `src`.
-void GiveSoilIfNone(const mjModel* m, const mjData* src, mjData* dst,
+void GiveSoilIfNone(const Fingerprint& from, const mjData* src, mjData* dst,
                     std::shared_ptr<const SoilPlan> plan);
 
 // As after GiveSoil. Throws InputError if the mjData has no soil, or has it for another model.

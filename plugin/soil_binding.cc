@@ -41,13 +41,13 @@ std::size_t OwnBytes(const SoilState& state) {
 
 }  // namespace
 
-SoilBinding::SoilBinding(std::shared_ptr<const SoilPlan> plan, const mjModel* m)
+SoilBinding::SoilBinding(std::shared_ptr<const SoilPlan> plan)
     : plan_(std::move(plan)),
       soft_wheels_(plan_->soil, plan_->terrain, plan_->ground.height, plan_->tires),
       shares_(plan_->wheels.size()),
-      nuserdata_(m->nuserdata) {
+      nuserdata_(plan_->nuserdata) {
   for (const Wheel& wheel : plan_->wheels) tire_frame_b_.push_back(TireFrame(wheel.axis_b));
-  if (HasRoomForMark(m) && plan_->history > 0) {
+  if (nuserdata_ >= kMarkSize && plan_->history > 0) {
     history_ = std::make_unique<SoilHistory>(plan_->history);
   }
   for (Evaluation* evaluation : {&now_, &pending_}) {

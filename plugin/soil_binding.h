@@ -17,7 +17,7 @@ namespace softsoil {
 class SoilBinding {
  public:
   // Soil for a mjData of the model; undisturbed.
-  SoilBinding(std::shared_ptr<const SoilPlan> plan, const mjModel* m);
+  explicit SoilBinding(std::shared_ptr<const SoilPlan> plan);
   SoilBinding(const SoilBinding&) = delete;  // latest_ points into the object
   SoilBinding& operator=(const SoilBinding&) = delete;
 
