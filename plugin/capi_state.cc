@@ -21,8 +21,21 @@ struct softsoilSnapshot_ {
 
 namespace {
 
-void Load(const mjData* d, const char* path, const ModelData* data) {
+void RequirePath(const char* path) {
   Require(path, "path");
+  if (*path == '\0') throw softsoil::InputError("path must not be empty");
+}
+
+// Numbers of the mjData are counted by its model.
+void RequireModelOf(const mjData* d, const mjModel* m) {
+  Require(m, "mjModel");
+  const std::shared_ptr<SoilEntry> entry = EntryOf(d);
+  if (entry->fingerprint == softsoil::FingerprintOf(m, d)) return;
+  throw softsoil::InputError("mjModel must be the one of this mjData: it has other names or sizes");
+}
+
+void Load(const mjData* d, const char* path, const ModelData* data) {
+  RequirePath(path);
   const std::shared_ptr<SoilEntry> entry = EntryOf(d);
   const softsoil::SoilBinding& soil = *entry->soil;
   RestoreSoil(const_cast<mjData*>(d),
@@ -62,7 +75,7 @@ void softsoil_free_snapshot(softsoilSnapshot* snapshot) { delete snapshot; }
 
 int softsoil_save(const mjData* d, const char* path) {
   return Fenced([&] {
-    Require(path, "path");
+    RequirePath(path);
     softsoil::SaveState(path, SoilOf(d)->State(d), nullptr);
   });
 }
@@ -73,8 +86,8 @@ int softsoil_load(mjData* d, const char* path) {
 
 int softsoil_save_simulation(const mjModel* m, const mjData* d, const char* path) {
   return Fenced([&] {
-    Require(m, "mjModel");
-    Require(path, "path");
+    RequireModelOf(d, m);
+    RequirePath(path);
     const ModelData data{m, const_cast<mjData*>(d)};
     softsoil::SaveState(path, SoilOf(d)->State(d), &data);
   });
@@ -82,7 +95,7 @@ int softsoil_save_simulation(const mjModel* m, const mjData* d, const char* path
 
 int softsoil_load_simulation(const mjModel* m, mjData* d, const char* path) {
   return Fenced([&] {
-    Require(m, "mjModel");
+    RequireModelOf(d, m);
     const ModelData data{m, d};
     Load(d, path, &data);
   });
