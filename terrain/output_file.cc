@@ -40,6 +40,7 @@ bool IsAlone(int file, const std::string& path) {
 std::FILE* OpenAlone(const std::string& path) {
   const int file = open(path.c_str(), O_WRONLY | O_CREAT | O_NONBLOCK | O_CLOEXEC, 0666);
   if (file < 0) return nullptr;
+  fcntl(file, F_SETFL, fcntl(file, F_GETFL) & ~O_NONBLOCK);  // writing may wait
   std::FILE* const stream = IsAlone(file, path) ? fdopen(file, "wb") : nullptr;
   if (stream != nullptr) return stream;
   const int reason = errno;
