@@ -21,9 +21,14 @@ struct softsoilSnapshot_ {
 
 namespace {
 
+void RequirePath(const char* path) {
+  Require(path, "path");
+  if (*path == '\0') throw softsoil::InputError("path must not be empty");
+}
+
 // m: of the mjData, if that is to be loaded too; else null. If it throws nothing has changed.
 void Load(const mjModel* m, mjData* d, const char* path) {
-  Require(path, "path");
+  RequirePath(path);
   const std::shared_ptr<SoilEntry> entry = EntryOf(d);
   const softsoil::SoilBinding& soil = *entry->soil;
   softsoil::SavedState saved = LoadState(path, soil.soft_wheels(), soil.Undisturbed(), m);
@@ -67,7 +72,7 @@ void softsoil_free_snapshot(softsoilSnapshot* snapshot) { delete snapshot; }
 
 int softsoil_save(const mjData* d, const char* path) {
   return Fenced([&] {
-    Require(path, "path");
+    RequirePath(path);
     softsoil::SaveState(path, SoilOf(d)->State(d), nullptr);
   });
 }
@@ -78,7 +83,7 @@ int softsoil_load(mjData* d, const char* path) {
 
 int softsoil_save_simulation(const mjModel* m, const mjData* d, const char* path) {
   return Fenced([&] {
-    Require(path, "path");
+    RequirePath(path);
     EntryOf(m, d);
     const ModelData data{m, d};
     softsoil::SaveState(path, SoilOf(d)->State(d), &data);

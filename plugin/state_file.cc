@@ -35,25 +35,10 @@ SoilIdentity ReadIdentity(StateReader& reader) {
   return identity;
 }
 
-std::vector<unsigned char> Bytes(const std::string& path) {
-  std::error_code error;
-  const std::filesystem::file_type type = std::filesystem::status(path, error).type();
-  if (type == std::filesystem::file_type::directory) throw InputError("is a folder");
-  if (type == std::filesystem::file_type::fifo) throw InputError("is a pipe");
-  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "rb"),
-                                                             &std::fclose);
-  if (file == nullptr) throw InputError(std::string("cannot read: ") + std::strerror(errno));
-  const auto size = std::filesystem::file_size(path, error);
-  if (error) throw InputError("cannot read: " + error.message());
-  std::vector<unsigned char> bytes(size);
-  if (std::fread(bytes.data(), 1, size, file.get()) != size) throw InputError("cannot read");
-  return bytes;
-}
+constexpr std::size_t kHead = kMagic.size() + sizeof(std::uint32_t);
 
-// The contents between the version and the checksum.
-StateReader Checked(const std::vector<unsigned char>& bytes) {
-  constexpr std::size_t kHead = kMagic.size() + sizeof(std::uint32_t);
-  constexpr std::size_t kTail = sizeof(std::uint64_t);
+// What stands before the contents.
+void CheckHead(const std::vector<unsigned char>& bytes) {
   if (bytes.size() < kHead || !std::equal(kMagic.begin(), kMagic.end(), bytes.begin())) {
     throw InputError("is no file of softsoil_save()");
   }
@@ -63,6 +48,38 @@ StateReader Checked(const std::vector<unsigned char>& bytes) {
     throw InputError("has version " + std::to_string(version) + "; this softsoil reads version " +
                      std::to_string(kStateFileVersion));
   }
+}
+
+// Other files may be larger than the memory: the head comes first.
+std::vector<unsigned char> Bytes(const std::string& path) {
+  std::error_code error;
+  const std::filesystem::file_status status = std::filesystem::status(path, error);
+  if (is_directory(status)) throw InputError("is a folder");
+  // Of a pipe to which no one writes even the opening takes for ever.
+  if (exists(status) && !is_regular_file(status)) throw InputError("is not a regular file");
+  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "rb"),
+                                                             &std::fclose);
+  if (file == nullptr) throw InputError(std::string("cannot read: ") + std::strerror(errno));
+  const auto size = std::filesystem::file_size(path, error);
+  if (error) throw InputError("cannot read: " + error.message());
+  std::vector<unsigned char> bytes(std::min<std::size_t>(size, kHead));
+  const auto read = [&](std::size_t from) {
+    const std::size_t count = bytes.size() - from;
+    if (std::fread(bytes.data() + from, 1, count, file.get()) != count) {
+      throw InputError("cannot read");
+    }
+  };
+  read(0);
+  CheckHead(bytes);
+  bytes.resize(size);
+  read(kHead);
+  return bytes;
+}
+
+// The contents between the version and the checksum.
+StateReader Checked(const std::vector<unsigned char>& bytes) {
+  CheckHead(bytes);
+  constexpr std::size_t kTail = sizeof(std::uint64_t);
   if (bytes.size() < kHead + kTail) throw InputError("is damaged: it ends too early");
   StateWriter hash;
   hash.PutBytes(bytes.data(), bytes.size() - kTail);

@@ -81,6 +81,22 @@ TEST(SoilState, IsOneOfItsOwnInACopy) {
   EXPECT_EQ(Hash(a), before);
 }
 
+TEST(SoilState, IsCopiedAfterTheModelThatSteppedItIsGone) {
+  Driven a;
+  {
+    const Model copy(mj_copyModel(nullptr, a.m.get()));
+    mj_step(copy.get(), a.d.get());
+  }
+  const Data d = MakeData(a.m);
+  mj_copyData(d.get(), a.m.get(), a.d.get());
+  ASSERT_EQ(softsoil_copy(d.get(), a.d.get()), 0) << softsoil_error();
+  mj_step(a.m.get(), d.get());
+  mj_step(a.m.get(), a.d.get());
+  EXPECT_EQ(softsoil_wheel_count(d.get()), 1) << softsoil_error();
+  EXPECT_EQ(d->qpos[0], a.d->qpos[0]);
+  EXPECT_EQ(d->qpos[1], a.d->qpos[1]);
+}
+
 TEST(SoilState, IsRestoredFromASnapshotAnyNumberOfTimes) {
   Driven a, plain;
   const Data saved = MakeData(a.m);
