@@ -21,12 +21,24 @@ struct softsoilSnapshot_ {
 
 namespace {
 
-void Load(const mjData* d, const char* path, const ModelData* data) {
+void RequirePath(const char* path) {
   Require(path, "path");
+  if (*path == '\0') throw softsoil::InputError("path must not be empty");
+}
+
+// m: of the mjData, if that is to be loaded too; else null. If it throws nothing has changed.
+void Load(const mjModel* m, mjData* d, const char* path) {
+  RequirePath(path);
   const std::shared_ptr<SoilEntry> entry = EntryOf(d);
   const softsoil::SoilBinding& soil = *entry->soil;
-  RestoreSoil(const_cast<mjData*>(d),
-              LoadState(path, soil.soft_wheels(), soil.Undisturbed(), data));
+  softsoil::SavedState saved = LoadState(path, soil.soft_wheels(), soil.Undisturbed(), m);
+  if (m != nullptr) softsoil::Exchange(&saved.mujoco, m, d);
+  try {
+    softsoil::RestoreSoil(d, saved.soil);
+  } catch (...) {
+    if (m != nullptr) softsoil::Exchange(&saved.mujoco, m, d);
+    throw;
+  }
 }
 
 }  // namespace
@@ -38,9 +50,7 @@ int softsoil_copy(mjData* dst, const mjData* src) {
     Require(dst, "dst");
     const std::shared_ptr<SoilEntry> from = EntryOf(src);
     if (dst == src) return;
-    const SoilState state = SoilOf(src)->State(src);
-    softsoil::GiveSoilIfNone(from->fingerprint.model, src, dst, state.plan);
-    softsoil::RestoreSoil(dst, state);
+    softsoil::CopySoil(from->fingerprint, src, SoilOf(src)->State(src), dst);
   });
 }
 
@@ -62,29 +72,28 @@ void softsoil_free_snapshot(softsoilSnapshot* snapshot) { delete snapshot; }
 
 int softsoil_save(const mjData* d, const char* path) {
   return Fenced([&] {
-    Require(path, "path");
+    RequirePath(path);
     softsoil::SaveState(path, SoilOf(d)->State(d), nullptr);
   });
 }
 
 int softsoil_load(mjData* d, const char* path) {
-  return Fenced([&] { Load(d, path, nullptr); });
+  return Fenced([&] { Load(nullptr, d, path); });
 }
 
 int softsoil_save_simulation(const mjModel* m, const mjData* d, const char* path) {
   return Fenced([&] {
-    Require(m, "mjModel");
-    Require(path, "path");
-    const ModelData data{m, const_cast<mjData*>(d)};
+    RequirePath(path);
+    EntryOf(m, d);
+    const ModelData data{m, d};
     softsoil::SaveState(path, SoilOf(d)->State(d), &data);
   });
 }
 
 int softsoil_load_simulation(const mjModel* m, mjData* d, const char* path) {
   return Fenced([&] {
-    Require(m, "mjModel");
-    const ModelData data{m, d};
-    Load(d, path, &data);
+    EntryOf(m, d);
+    Load(m, d, path);
   });
 }
 

@@ -20,6 +20,13 @@ std::shared_ptr<SoilEntry> EntryOf(const mjData* d) {
   throw InputError("this mjData has no soil: call softsoil_attach() first");
 }
 
+std::shared_ptr<SoilEntry> EntryOf(const mjModel* m, const mjData* d) {
+  Require(m, "mjModel");
+  std::shared_ptr<SoilEntry> entry = EntryOf(d);
+  if (entry->fingerprint == FingerprintOf(m, d)) return entry;
+  throw InputError("this mjData has no soil for this mjModel: call softsoil_attach() first");
+}
+
 std::shared_ptr<SoilBinding> SoilOf(const mjData* d) {
   const std::shared_ptr<SoilEntry> entry = EntryOf(d);
   if (entry->lost_because.empty()) entry->soil->FollowMark(d);

@@ -36,6 +36,8 @@ inline void Require(const void* argument, const char* name) {
 
 // The entry of a mjData that has soil, also one that rests after a failure. Throws InputError.
 std::shared_ptr<SoilEntry> EntryOf(const mjData* d);
+// The same; throws InputError besides if the mjData is of another model, whose sizes differ.
+std::shared_ptr<SoilEntry> EntryOf(const mjModel* m, const mjData* d);
 // The soil in it, in the state that the mark in the mjData names; whoever holds the result keeps it
 // alive. Throws InputError besides if that state is no longer held.
 std::shared_ptr<SoilBinding> SoilOf(const mjData* d);

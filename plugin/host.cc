@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "plugin/failure.h"
+#include "plugin/fence.h"
 #include "plugin/log.h"
 #include "plugin/mujoco_symbols.h"
 #include "plugin/out_of_memory.h"
@@ -38,9 +39,9 @@ std::mutex& InstallMutex() {
 void OnPassive(const mjModel* m, mjData* d);
 void InstallContactFilter();
 
-std::unique_ptr<SoilBinding> MakeSoil(std::shared_ptr<const SoilPlan> plan, const mjModel* m) {
+std::unique_ptr<SoilBinding> MakeSoil(std::shared_ptr<const SoilPlan> plan) {
   if (plan->remove_rigid_contact) InstallContactFilter();
-  return std::make_unique<SoilBinding>(std::move(plan), m);
+  return std::make_unique<SoilBinding>(std::move(plan));
 }
 
 // A host that sets mjcb_passive after us should call ours. Whether it did is known in the end.
@@ -51,10 +52,10 @@ void WarnIfPassedOver(const SoilBinding& soil, const mjData* d) {
 }
 
 // Soil that was there takes its forces along.
-void PutEntry(const mjModel* m, mjData* d, std::unique_ptr<SoilBinding> soil,
+void PutEntry(const Fingerprint& fingerprint, mjData* d, std::unique_ptr<SoilBinding> soil,
               const std::string& lost_because = "") {
   auto entry = std::make_shared<SoilEntry>();
-  entry->fingerprint = FingerprintOf(m, d);
+  entry->fingerprint = fingerprint;
   entry->soil = std::move(soil);
   entry->lost_because = lost_because;
   const std::shared_ptr<SoilEntry> old = Registry::Get().Find(d);
@@ -77,7 +78,7 @@ void Answer(const Failure& failure, const mjModel* m, mjData* d) {
   if (is_known && entry->soil != nullptr) entry->soil->RemoveForces(d);
   if (is_known) Keep(failure.message, &entry->lost_because);
   try {
-    if (!is_known) PutEntry(m, d, nullptr, failure.message);
+    if (!is_known) PutEntry(FingerprintOf(m, d), d, nullptr, failure.message);
     Say(std::string(failure.message) + "; the model runs without soft soil");
   } catch (const std::bad_alloc&) {
     std::fprintf(stderr, "softsoil: %s; the model runs without soft soil\n", kOutOfMemory);
@@ -87,7 +88,7 @@ void Answer(const Failure& failure, const mjModel* m, mjData* d) {
 // The soil that the model asks for, null if it asks for none.
 std::unique_ptr<SoilBinding> SoilThatModelWants(const mjModel* m) {
   const Settings settings = SettingsOf(m);
-  if (!settings.soil.empty()) return MakeSoil(std::make_shared<SoilPlan>(MakePlan(m, settings)), m);
+  if (!settings.soil.empty()) return MakeSoil(std::make_shared<SoilPlan>(MakePlan(m, settings)));
   Say("model \"" + std::string(m->names) +
       "\" names no soil (<custom> <text name=\"softsoil_soil\">): it runs without");
   return nullptr;
@@ -111,10 +112,10 @@ std::shared_ptr<SoilEntry> EntryFor(const mjModel* m, const mjData* d, Failure* 
 // A mjData without soil that was copied from one with soil, as its userdata tells, gets a soil of
 // its own. Null if it was not.
 std::shared_ptr<SoilEntry> CopiedEntry(const mjModel* m, mjData* d) {
-  if (!HasRoomForMark(m) || !MarkIn(m->nuserdata, d).IsPossible()) return nullptr;
+  if (!HasRoomForMark(m->nuserdata) || !MarkIn(m->nuserdata, d).IsPossible()) return nullptr;
   const std::shared_ptr<const SoilState> state = StateMarked(MarkIn(m->nuserdata, d));
   if (state->plan->model_content != ContentOf(m)) return nullptr;
-  PutEntry(m, d, MakeSoil(state->plan, m));
+  PutEntry(FingerprintOf(m, d), d, MakeSoil(state->plan));
   return Registry::Get().Find(d);  // its first step follows the mark
 }
 
@@ -236,41 +237,42 @@ void LearnModels(OnError on_error) {
 }
 
 void GiveSoil(const mjModel* m, mjData* d, std::shared_ptr<const SoilPlan> plan) {
-  PutEntry(m, d, MakeSoil(std::move(plan), m));
+  PutEntry(FingerprintOf(m, d), d, MakeSoil(std::move(plan)));
   ResetSoil(m, d);
 }
 
-void GiveSoilIfNone(const mjModel* m, const mjData* src, mjData* dst,
-                    std::shared_ptr<const SoilPlan> plan) {
-  const std::shared_ptr<SoilEntry> entry = Registry::Get().Find(dst);
-  if (entry != nullptr && entry->soil != nullptr && entry->fingerprint.buffer == dst->buffer)
-    return;
-  if (dst->nbuffer != src->nbuffer) throw InputError("the mjData are of different models");
-  PutEntry(m, dst, MakeSoil(std::move(plan), m));
-}
-
 void ResetSoil(const mjModel* m, mjData* d) {
-  const std::shared_ptr<SoilEntry> entry = Registry::Get().Find(d);
-  const bool is_known = entry != nullptr && entry->soil != nullptr;
-  if (!is_known || !(entry->fingerprint == FingerprintOf(m, d))) {
-    throw InputError("this mjData has no soil for this mjModel: call softsoil_attach() first");
-  }
+  const std::shared_ptr<SoilEntry> entry = EntryOf(m, d);
   entry->soil->Reset(d);
   entry->lost_because.clear();
 }
 
 void TakeSoil(const mjModel* m, mjData* d) {
-  ResetSoil(m, d);
-  PutEntry(m, d, nullptr);
+  const std::shared_ptr<SoilEntry> entry = EntryOf(m, d);
+  PutEntry(entry->fingerprint, d, nullptr);
+  entry->soil->Reset(d);
 }
 
 void RestoreSoil(mjData* d, const SoilState& state) {
-  const std::shared_ptr<SoilEntry> entry = Registry::Get().Find(d);
-  if (entry == nullptr || entry->soil == nullptr || entry->fingerprint.buffer != d->buffer) {
-    throw InputError("this mjData has no soil: call softsoil_attach() first");
-  }
+  const std::shared_ptr<SoilEntry> entry = EntryOf(d);
   entry->soil->SetState(state, d);
   entry->lost_because.clear();
+}
+
+void CopySoil(const Fingerprint& of_src, const mjData* src, const SoilState& state, mjData* dst) {
+  const std::shared_ptr<SoilEntry> entry = Registry::Get().Find(dst);
+  if (entry != nullptr && entry->soil != nullptr && entry->fingerprint.buffer == dst->buffer) {
+    RestoreSoil(dst, state);
+    return;
+  }
+  if (dst->nbuffer != src->nbuffer) throw InputError("the mjData are of different models");
+  PutEntry({of_src.model, dst->buffer, of_src.content}, dst, MakeSoil(state.plan));
+  try {
+    RestoreSoil(dst, state);
+  } catch (...) {
+    Registry::Get().Erase(dst);
+    throw;
+  }
 }
 
 }  // namespace softsoil

@@ -29,11 +29,6 @@ void LearnModels(OnError on_error);
 // Gives a mjData the soil of a plan, in place of one it may have.
 void GiveSoil(const mjModel* m, mjData* d, std::shared_ptr<const SoilPlan> plan);
 
-// The same for `dst`, to be restored at once, if it has none yet. Its xfrc_applied may be a copy of
-// that of `src`. Throws InputError if it is not of the model of `src`.
-void GiveSoilIfNone(const mjModel* m, const mjData* src, mjData* dst,
-                    std::shared_ptr<const SoilPlan> plan);
-
 // As after GiveSoil. Throws InputError if the mjData has no soil, or has it for another model.
 void ResetSoil(const mjModel* m, mjData* d);
 
@@ -42,5 +37,10 @@ void TakeSoil(const mjModel* m, mjData* d);
 
 // Gives a mjData with soil a state of it; soil that was lost is there again. Throws InputError.
 void RestoreSoil(mjData* d, const SoilState& state);
+
+// Gives `dst` a state of the soil of `src`, and soil if it has none yet. Its xfrc_applied may be a
+// copy of that of `src`, whose model may be gone: programs go on with copies of it. Throws
+// InputError if it is not of the model of `src`; then nothing has changed.
+void CopySoil(const Fingerprint& of_src, const mjData* src, const SoilState& state, mjData* dst);
 
 }  // namespace softsoil

@@ -4,6 +4,8 @@
 
 #include <mujoco/mujoco.h>
 
+#include <vector>
+
 #include "terrain/state_stream.h"
 
 namespace softsoil {
@@ -12,8 +14,12 @@ namespace softsoil {
 // and the warm start of the solver. So many numbers at the end of userdata are written as 0.
 void Write(const mjModel* m, const mjData* d, int cleared_userdata, StateWriter& writer);
 
-// What Write() wrote, of a model with the same names and sizes. If it throws InputError the mjData
-// is as it was.
-void Read(StateReader& reader, const mjModel* m, mjData* d);
+using MujocoState = std::vector<std::vector<mjtNum>>;
+
+// What Write() wrote, of a model with the same names and sizes. Throws InputError.
+MujocoState ReadMujocoState(StateReader& reader, const mjModel* m);
+
+// The mjData is in this state, and `state` is that in which it was. Cannot fail.
+void Exchange(MujocoState* state, const mjModel* m, mjData* d);
 
 }  // namespace softsoil

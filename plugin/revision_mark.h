@@ -30,9 +30,10 @@ struct RevisionMark {
   bool operator!=(const RevisionMark& other) const { return !(*this == other); }
 };
 
-inline bool HasRoomForMark(const mjModel* m) { return m->nuserdata >= kMarkSize; }
+// nuserdata: of the model.
+inline bool HasRoomForMark(int nuserdata) { return nuserdata >= kMarkSize; }
 
-// nuserdata: of the model, with room for a mark.
+// With room for a mark.
 inline RevisionMark MarkIn(int nuserdata, const mjData* d) {
   const mjtNum* mark = d->userdata + nuserdata - kMarkSize;
   return {mark[0], mark[1]};

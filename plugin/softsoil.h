@@ -149,12 +149,12 @@ SOFTSOIL_API int softsoil_visit_surface(const mjData* d, softsoilVisitor visit, 
 //
 // A model with <size nuserdata="2"/> or more needs none of this: the last two numbers of userdata
 // hold a mark of the soil state, and a mjData that is copied, restored or reset by whatever means
-// finds its soil by itself at the next step or question. `softsoil_history` [MB] says how many past
-// states are kept for each mjData and for as long as it lives, those that were asked for last; a
-// state that is no longer held is an error. A HMMWV on a 2.5 cm grid with a step of 1 ms takes
-// about 0.12 MB per step, and 0.3 MB where columns compact, so that the default of 100 MB reaches
-// back 0.8 s, or 0.3 s. For a longer way back keep a snapshot, which takes no more than what has
-// changed since.
+// finds its soil by itself at the next step, or at a question if it had one before.
+// `softsoil_history` [MB] says how many past states are kept for each mjData and for as long as it
+// lives, those that were asked for last; a state that is no longer held is an error. A HMMWV on a
+// 2.5 cm grid with a step of 1 ms takes about 0.12 MB per step, and 0.3 MB where columns compact,
+// so that the default of 100 MB reaches back 0.8 s, or 0.3 s. For a longer way back keep a
+// snapshot, which takes no more than what has changed since.
 //
 // Without the mark, mj_resetData and any other way back in time make the ground undisturbed, a
 // keyframe of a later time leaves it as it is, and what mj_copyData copies is not the soil. With

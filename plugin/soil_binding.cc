@@ -41,13 +41,12 @@ std::size_t OwnBytes(const SoilState& state) {
 
 }  // namespace
 
-SoilBinding::SoilBinding(std::shared_ptr<const SoilPlan> plan, const mjModel* m)
+SoilBinding::SoilBinding(std::shared_ptr<const SoilPlan> plan)
     : plan_(std::move(plan)),
       soft_wheels_(plan_->soil, plan_->terrain, plan_->ground.height, plan_->tires),
-      shares_(plan_->wheels.size()),
-      nuserdata_(m->nuserdata) {
+      shares_(plan_->wheels.size()) {
   for (const Wheel& wheel : plan_->wheels) tire_frame_b_.push_back(TireFrame(wheel.axis_b));
-  if (HasRoomForMark(m) && plan_->history > 0) {
+  if (HasRoomForMark(plan_->nuserdata) && plan_->history > 0) {
     history_ = std::make_unique<SoilHistory>(plan_->history);
   }
   for (Evaluation* evaluation : {&now_, &pending_}) {
@@ -92,16 +91,32 @@ SoilState SoilBinding::State(const mjData* d) const {
 }
 
 void SoilBinding::SetState(const SoilState& state, mjData* d) {
+  // All that may fail comes first.
+  RequireSameSoil(state);
+  SoilState own = state;
+  own.plan = plan_;
+  own.shares = shares_;
+  for (std::size_t i = 0; i < shares_.size(); ++i) {
+    own.shares[i].Expect(state.shares[i]);
+    own.shares[i].Recognise(Row(d, i));
+  }
+  if (history_ != nullptr) history_->Add(&own, OwnBytes(own));
   Restore(state);
-  const RevisionMark marked = state.mark;
-  LeaveMark(d);
-  other_mark_ = marked;
+
+  other_mark_ = state.mark;
+  if (history_ == nullptr) return;
+  mark_ = own.mark;
+  PutMark(mark_, plan_->nuserdata, d);
+}
+
+void SoilBinding::RequireSameSoil(const SoilState& state) const {
+  if (state.plan != plan_) RequireSame(IdentityOf(*state.plan), IdentityOf(*plan_), "the state");
 }
 
 void SoilBinding::Restore(const SoilState& state) {
-  if (state.plan != plan_) RequireSame(IdentityOf(*state.plan), IdentityOf(*plan_), "the state");
+  StepWatch watch = state.watch;
   SetWheels(state.wheels, state.pending);
-  watch_ = state.watch;
+  watch_ = std::move(watch);
   for (std::size_t i = 0; i < shares_.size(); ++i) shares_[i].Expect(state.shares[i]);
   is_restored_ = true;
 }
@@ -114,14 +129,21 @@ SoilState SoilBinding::Undisturbed() const {
 
 // The marks of the state of now: the one that we left, and the one that it had where it came from.
 void SoilBinding::FollowMark(const mjData* d) {
+  const std::lock_guard<std::mutex> lock(following_);
+  Follow(d);
+}
+
+void SoilBinding::Follow(const mjData* d) {
   if (history_ == nullptr) return;
-  const RevisionMark mark = MarkIn(nuserdata_, d);
+  const RevisionMark mark = MarkIn(plan_->nuserdata, d);
   if (mark == mark_ || (mark == other_mark_ && !mark.IsUndisturbed())) return;
   if (mark.IsUndisturbed()) {
     StartAfresh();
     watch_ = StepWatch{};
   } else {
-    Restore(*StateMarked(mark));
+    const std::shared_ptr<const SoilState> state = StateMarked(mark);
+    RequireSameSoil(*state);
+    Restore(*state);
   }
   mark_ = other_mark_ = mark;
 }
@@ -133,11 +155,11 @@ void SoilBinding::LeaveMark(mjData* d) {
   const std::size_t copied = soft_wheels_.ground().BytesCopied();
   history_->Add(&state, copied - std::exchange(bytes_copied_, copied) + OwnBytes(state));
   mark_ = other_mark_ = state.mark;
-  PutMark(mark_, nuserdata_, d);
+  PutMark(mark_, plan_->nuserdata, d);
 }
 
 void SoilBinding::OnPassive(const mjModel* m, mjData* d) {
-  FollowMark(d);
+  Follow(d);
   const std::string fault = TimeFault(m, d);
   if (!fault.empty()) {
     GoWithout(fault, d);
@@ -240,7 +262,7 @@ void SoilBinding::Reset(mjData* d) {
   RemoveForces(d);
   watch_ = StepWatch{};
   mark_ = other_mark_ = RevisionMark{};
-  if (history_ != nullptr) PutMark(mark_, nuserdata_, d);
+  if (history_ != nullptr) PutMark(mark_, plan_->nuserdata, d);
 }
 
 bool SoilBinding::RemovesContact(int geom1, int geom2) const {

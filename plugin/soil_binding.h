@@ -4,6 +4,7 @@
 #include <mujoco/mujoco.h>
 
 #include <memory>
+#include <mutex>
 #include <string>
 #include <vector>
 
@@ -16,8 +17,8 @@ namespace softsoil {
 
 class SoilBinding {
  public:
-  // Soil for a mjData of the model; undisturbed.
-  SoilBinding(std::shared_ptr<const SoilPlan> plan, const mjModel* m);
+  // Soil for a mjData of the model of the plan; undisturbed.
+  explicit SoilBinding(std::shared_ptr<const SoilPlan> plan);
   SoilBinding(const SoilBinding&) = delete;  // latest_ points into the object
   SoilBinding& operator=(const SoilBinding&) = delete;
 
@@ -35,13 +36,14 @@ class SoilBinding {
   void Reset(mjData* d);
 
   // If userdata has the mark of another state of the soil, that state is the one of now. Throws
-  // InputError if it is no longer held.
+  // InputError if it is no longer held. From any number of threads, but for the one that steps.
   void FollowMark(const mjData* d);
 
   // The state of now, from any number of threads at a time, and one as it was, of the same plan or
   // one that gives the same soil. The rows of xfrc_applied and the mark in userdata belong to it.
   SoilState State(const mjData* d) const;
-  void SetState(const SoilState& state, mjData* d);  // throws InputError
+  // If SetState() throws, InputError for one, nothing has changed.
+  void SetState(const SoilState& state, mjData* d);
   SoilState Undisturbed() const;
 
   // Whether steps went by, until `time` [s], at which MuJoCo did not ask for forces.
@@ -68,6 +70,7 @@ class SoilBinding {
     double h = 0;  // [s]
   };
 
+  void Follow(const mjData* d);
   void StartAfresh();
   // If it throws nothing has changed.
   void SetWheels(SoftWheelsState wheels, const PendingEvaluation& pending);
@@ -79,7 +82,8 @@ class SoilBinding {
   const double* Row(const mjData* d, std::size_t wheel) const {
     return Row(const_cast<mjData*>(d), wheel);
   }
-  void Restore(const SoilState& state);
+  void RequireSameSoil(const SoilState& state) const;  // throws InputError
+  void Restore(const SoilState& state);                // of the same soil
   void LeaveMark(mjData* d);
   // Takes the forces away and says why.
   void GoWithout(const std::string& fault, mjData* d);
@@ -103,10 +107,10 @@ class SoilBinding {
   bool warned_of_depth_ = false;
   const Evaluation* latest_ = &pending_;
 
-  const int nuserdata_;                   // of the model
   std::unique_ptr<SoilHistory> history_;  // null: no marks
   RevisionMark mark_;                     // of the state of now, as in userdata
   RevisionMark other_mark_;               // the one it had where it came from
+  std::mutex following_;                  // of threads that copy from one mjData
   std::size_t bytes_copied_ = 0;          // until the last revision
 };
 

@@ -126,6 +126,7 @@ SoilPlan MakePlan(const mjModel* m, const Settings& settings) {
   plan.model_content = ContentOf(m);
   plan.nq = m->nq;
   plan.nv = m->nv;
+  plan.nuserdata = m->nuserdata;
   SayWheels(plan, !settings.wheels.empty());
   WarnOfRigidContact(m, plan);
   WarnOfTimeStep(m, plan);

@@ -24,7 +24,7 @@ struct SoilPlan {
   bool remove_rigid_contact;
   std::size_t history;        // [bytes]  for past states
   std::size_t model_content;  // ContentOf() the model
-  int nq, nv;                 // of the model
+  int nq, nv, nuserdata;      // of the model
 };
 
 // Hash of the names, the sizes and the <custom> elements of a model.

@@ -8,7 +8,6 @@
 #include <filesystem>
 #include <memory>
 
-#include "plugin/mujoco_state.h"
 #include "plugin/soil_identity.h"
 #include "terrain/input_error.h"
 #include "terrain/output_file.h"
@@ -36,23 +35,10 @@ SoilIdentity ReadIdentity(StateReader& reader) {
   return identity;
 }
 
-std::vector<unsigned char> Bytes(const std::string& path) {
-  std::error_code error;
-  if (std::filesystem::is_directory(path, error)) throw InputError("is a folder");
-  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "rb"),
-                                                             &std::fclose);
-  if (file == nullptr) throw InputError(std::string("cannot read: ") + std::strerror(errno));
-  const auto size = std::filesystem::file_size(path, error);
-  if (error) throw InputError("cannot read: " + error.message());
-  std::vector<unsigned char> bytes(size);
-  if (std::fread(bytes.data(), 1, size, file.get()) != size) throw InputError("cannot read");
-  return bytes;
-}
+constexpr std::size_t kHead = kMagic.size() + sizeof(std::uint32_t);
 
-// The contents between the version and the checksum.
-StateReader Checked(const std::vector<unsigned char>& bytes) {
-  constexpr std::size_t kHead = kMagic.size() + sizeof(std::uint32_t);
-  constexpr std::size_t kTail = sizeof(std::uint64_t);
+// What stands before the contents.
+void CheckHead(const std::vector<unsigned char>& bytes) {
   if (bytes.size() < kHead || !std::equal(kMagic.begin(), kMagic.end(), bytes.begin())) {
     throw InputError("is no file of softsoil_save()");
   }
@@ -62,6 +48,38 @@ StateReader Checked(const std::vector<unsigned char>& bytes) {
     throw InputError("has version " + std::to_string(version) + "; this softsoil reads version " +
                      std::to_string(kStateFileVersion));
   }
+}
+
+// Other files may be larger than the memory: the head comes first.
+std::vector<unsigned char> Bytes(const std::string& path) {
+  std::error_code error;
+  const std::filesystem::file_status status = std::filesystem::status(path, error);
+  if (is_directory(status)) throw InputError("is a folder");
+  // Of a pipe to which no one writes even the opening takes for ever.
+  if (exists(status) && !is_regular_file(status)) throw InputError("is not a regular file");
+  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "rb"),
+                                                             &std::fclose);
+  if (file == nullptr) throw InputError(std::string("cannot read: ") + std::strerror(errno));
+  const auto size = std::filesystem::file_size(path, error);
+  if (error) throw InputError("cannot read: " + error.message());
+  std::vector<unsigned char> bytes(std::min<std::size_t>(size, kHead));
+  const auto read = [&](std::size_t from) {
+    const std::size_t count = bytes.size() - from;
+    if (std::fread(bytes.data() + from, 1, count, file.get()) != count) {
+      throw InputError("cannot read");
+    }
+  };
+  read(0);
+  CheckHead(bytes);
+  bytes.resize(size);
+  read(kHead);
+  return bytes;
+}
+
+// The contents between the version and the checksum.
+StateReader Checked(const std::vector<unsigned char>& bytes) {
+  CheckHead(bytes);
+  constexpr std::size_t kTail = sizeof(std::uint64_t);
   if (bytes.size() < kHead + kTail) throw InputError("is damaged: it ends too early");
   StateWriter hash;
   hash.PutBytes(bytes.data(), bytes.size() - kTail);
@@ -83,7 +101,7 @@ void WriteState(const SoilState& state, const ModelData* data, const StateWriter
   writer.Put(data != nullptr);
   if (data != nullptr) {
     // A mark names nothing in another process.
-    const bool is_marked = HasRoomForMark(data->m) && state.plan->history > 0;
+    const bool is_marked = HasRoomForMark(data->m->nuserdata) && state.plan->history > 0;
     Write(data->m, data->d, is_marked ? kMarkSize : 0, writer);
   }
   const std::uint64_t checksum = writer.Finish();
@@ -103,22 +121,22 @@ void SaveState(const std::string& path, const SoilState& state, const ModelData*
   }
 }
 
-SoilState ParseState(const std::vector<unsigned char>& bytes, const SoftWheels& wheels,
-                     const SoilState& undisturbed, const ModelData* data) {
+SavedState ParseState(const std::vector<unsigned char>& bytes, const SoftWheels& wheels,
+                      const SoilState& undisturbed, const mjModel* m) {
   StateReader reader = Checked(bytes);
   RequireSame(ReadIdentity(reader), IdentityOf(*undisturbed.plan), "the state");
-  SoilState state = ReadSoilState(reader, wheels, undisturbed);
-  for (OwnShare& share : state.shares) share.Read(reader);
+  SavedState state{ReadSoilState(reader, wheels, undisturbed), {}};
+  for (OwnShare& share : state.soil.shares) share.Read(reader);
   const bool has_data = reader.GetFlag();
-  if (data == nullptr) return state;
+  if (m == nullptr) return state;
   if (!has_data) throw InputError("holds the soil alone, not the state of the mjData");
-  Read(reader, data->m, data->d);
+  state.mujoco = ReadMujocoState(reader, m);
   return state;
 }
 
-SoilState LoadState(const std::string& path, const SoftWheels& wheels, const SoilState& undisturbed,
-                    const ModelData* data) {
-  return At(path, [&] { return ParseState(Bytes(path), wheels, undisturbed, data); });
+SavedState LoadState(const std::string& path, const SoftWheels& wheels,
+                     const SoilState& undisturbed, const mjModel* m) {
+  return At(path, [&] { return ParseState(Bytes(path), wheels, undisturbed, m); });
 }
 
 }  // namespace softsoil

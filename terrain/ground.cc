@@ -206,7 +206,7 @@ void Ground::Read(StateReader& reader) {
   columns_.Read(reader);
   clock_.Read(reader);
   const double area = settings_.grid_spacing * settings_.grid_spacing;
-  const double most = kMostPressure * area * settings_.soil_clock;
+  const double most = kMostPressure * area * clock_.Elapsed();
   for (LoadGatherer& gatherer : gatherers_) gatherer.Read(reader, most);
   for (CompactionWork& work : work_) {
     work.energy = reader.GetFinite();
@@ -215,7 +215,7 @@ void Ground::Read(StateReader& reader) {
   lowest_volume_yields_ = reader.GetFlag();
   if (!reader.GetFlag()) return;
   const double period = reader.GetFinite();
-  reader.Require(period > 0, "a soil period");
+  reader.Require(clock_.IsFullAt(period), "a soil period");
   const auto job = std::make_shared<Job>(Job{std::move(columns_), {}, period});
   job->is_done = reader.GetFlag();
   if (job->is_done) {

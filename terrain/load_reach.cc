@@ -13,7 +13,7 @@ LoadReach::LoadReach(const SurfaceLoad& load, double concentration_factor) : loa
   const double per_horizontal = CerrutiReach();
   for (std::size_t k = 0; k < load.size(); ++k) {
     const NodeForce& f = load[k];
-    if (footprints_.empty() || footprints_.back().source != f.source) {
+    if (footprints_.empty() || !IsNear(footprints_.back(), f)) {
       footprints_.push_back({f.source, f.x, f.x, f.y, f.y, 0, k, k});
     }
     Footprint& print = footprints_.back();
@@ -25,6 +25,13 @@ LoadReach::LoadReach(const SurfaceLoad& load, double concentration_factor) : loa
     print.reach +=
         per_vertical * std::abs(f.force_w.z()) + per_horizontal * f.force_w.head<2>().norm();
   }
+}
+
+bool LoadReach::IsNear(const Footprint& print, const NodeForce& force) {
+  constexpr double kFar = 2;  // [m]  more than a wheel rolls on between two steps, by far
+  return print.source == force.source && force.x >= print.x_min - kFar &&
+         force.x <= print.x_max + kFar && force.y >= print.y_min - kFar &&
+         force.y <= print.y_max + kFar;
 }
 
 LoadReach::Bound LoadReach::At(double x, double y) const {

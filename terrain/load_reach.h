@@ -32,13 +32,15 @@ class LoadReach {
   }
 
  private:
-  // All forces of one source as if they stood in every point of their rectangle.
+  // Forces of one source as if they stood in every point of their rectangle. A wheel that is thrown
+  // far within a soil period has several: between them there is no load.
   struct Footprint {
     int source;
     double x_min, x_max, y_min, y_max;  // [m]
     double reach;                       // [N]  stress <= reach / distance^2
     std::size_t first, last;            // its forces in the load
   };
+  static bool IsNear(const Footprint& print, const NodeForce& force);
   // Where rectangles overlap the forces themselves must tell.
   int PressingMost(double x, double y) const;
   double Radius(double stress) const;

@@ -27,6 +27,7 @@ constexpr Unit kUnits[] = {
 
 // value * 10^places, by the exponent of its decimal digits.
 double WithPointMoved(double value, int places) {
+  if (!std::isfinite(value)) return value;
   char text[32];
   const std::string written(
       text, std::to_chars(text, text + sizeof text, value, std::chars_format::scientific).ptr);

@@ -19,11 +19,7 @@ class NodeTable {
 
   // Of a node that is not there yet: `zero`. To ask again cannot fail, until the table is copied.
   Value& At(GridNode node, const Value& zero) {
-    if (places_.map.size() == 0) {
-      for (std::size_t k = 0; k < entries_.size(); ++k) {
-        PlaceOf(entries_[k].node) = static_cast<int>(k);
-      }
-    }
+    if (places_.map.size() == 0) FindPlaces();
     int& place = PlaceOf(node);
     if (place < 0) {
       entries_.push_back({node, zero});
@@ -70,6 +66,17 @@ class NodeTable {
     }
     TileMap<std::array<int, kTileSide * kTileSide>> map;
   };
+  // All or none: with some alone a node would get a second entry.
+  void FindPlaces() {
+    try {
+      for (std::size_t k = 0; k < entries_.size(); ++k) {
+        PlaceOf(entries_[k].node) = static_cast<int>(k);
+      }
+    } catch (...) {
+      places_.map.Clear();
+      throw;
+    }
+  }
   int& PlaceOf(GridNode node) {
     const auto none = [] {
       std::array<int, kTileSide * kTileSide> places;

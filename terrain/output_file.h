@@ -15,7 +15,8 @@ void PrepareFolder(const std::string& folder);
 void RequireNoInput(const std::string& path, const std::vector<std::string>& inputs);
 
 // Written as <path>.part, and renamed to <path> when complete: a run that is killed leaves no half
-// result. Every write is checked; a full disk throws std::runtime_error.
+// result. Every write is checked; a full disk throws std::runtime_error, and so does a file that
+// someone else is writing.
 class OutputFile {
  public:
   explicit OutputFile(const std::string& path);

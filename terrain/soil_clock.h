@@ -25,10 +25,14 @@ class SoilClock {
     writer.Put(elapsed_);
     writer.Put(full_);
   }
-  void Read(StateReader& reader) {
+  void Read(StateReader& reader) {  // throws InputError
     elapsed_ = reader.GetFinite();
     full_ = reader.GetFlag();
+    reader.Require(full_ ? IsFullAt(elapsed_) : elapsed_ >= 0 && elapsed_ <= period_,
+                   "the time of the soil clock");
   }
+  // Whether a period may have this length [s]: the last step is within it.
+  bool IsFullAt(double elapsed) const { return elapsed > period_ / 2; }
 
  private:
   double period_;

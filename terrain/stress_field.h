@@ -33,7 +33,7 @@ class StressField {
 struct StressSettings {
   double concentration_factor;  // [-]  nu, 3 to 6
   double near_field_radius;     // [m]  R_min
-  int threads;  // >= 1, fewer if ThreadBudget has none free; no influence on results
+  int threads;                  // at most, >= 1; no influence on results
 };
 
 // The sum over all pairs: columns in parallel, SIMD over the volumes of a column. In float; the

@@ -8,6 +8,7 @@
 #include <deque>
 #include <exception>
 #include <mutex>
+#include <new>
 #include <stdexcept>
 #include <string>
 #include <system_error>
@@ -143,8 +144,11 @@ std::future<void> WorkerPool::Run(std::function<void()> job) {
 
 void WorkerPool::ForEach(int count, int threads, const std::function<void(int)>& body) {
   const auto loop = std::make_shared<SharedLoop>(count, body);
-  for (int helper = 1; helper < std::min({threads, workers_, count}); ++helper) {
-    Run([loop] { loop->Help(); });
+  try {
+    for (int helper = 1; helper < std::min({threads, workers_, count}); ++helper) {
+      Run([loop] { loop->Help(); });
+    }
+  } catch (const std::bad_alloc&) {  // then those that came help; they need `body` to the end
   }
   loop->RunToTheEnd();
 }

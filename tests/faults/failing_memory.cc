@@ -67,6 +67,15 @@ void* operator new(std::size_t size, std::align_val_t alignment) {
   return softsoil::Allocated(softsoil::Fails() ? nullptr : std::aligned_alloc(unit, whole));
 }
 
+// What the library would do by itself, but a sanitizer has one that does not call ours.
+void* operator new(std::size_t size, const std::nothrow_t&) noexcept {
+  try {
+    return operator new(size);
+  } catch (const std::bad_alloc&) {
+    return nullptr;
+  }
+}
+
 void operator delete(void* memory) noexcept { softsoil::Free(memory); }
 void operator delete(void* memory, std::size_t) noexcept { softsoil::Free(memory); }
 void operator delete(void* memory, std::align_val_t) noexcept { softsoil::Free(memory); }

@@ -4,11 +4,14 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cstdio>
 #include <functional>
+#include <new>
 #include <string>
 #include <vector>
 
+#include "terrain/worker_pool.h"
 #include "tests/faults/driven_wheel.h"
 #include "tests/faults/failing_memory.h"
 
@@ -187,6 +190,18 @@ TEST(OutOfMemoryInACall, SaysSoAndChangesNothing) {
   std::remove(path.c_str());
 }
 
+TEST(OutOfMemoryInACall, RestoresAllOrNothing) {
+  for (const int nuserdata : {0, 2}) {
+    DrivenWheel wheel(WheelOnLooseSoil(nuserdata));
+    mjData* d = wheel.d.get();
+    const std::uint64_t driven = HashOf(d);
+    ASSERT_EQ(softsoil_reset(wheel.m.get(), d), 0) << softsoil_error();
+    EXPECT_NE(HashOf(d), driven);
+    FailEverywhere([&] { return softsoil_restore(d, wheel.snapshot); }, d);
+    EXPECT_EQ(HashOf(d), driven);
+  }
+}
+
 TEST(OutOfMemoryInACall, LeavesAMjDataWithoutSoilOrWithAllOfIt) {
   const Model m = Load(WheelOnLooseSoil().Mjcf());
   const Data d = MakeData(m);
@@ -197,13 +212,32 @@ TEST(OutOfMemoryInACall, LeavesAMjDataWithoutSoilOrWithAllOfIt) {
       return softsoil_attach(m.get(), d.get(), nullptr);
     }();
     if (result == 0) break;
-    EXPECT_THAT(softsoil_error(), HasSubstr("out of memory")) << n;
+    ASSERT_THAT(softsoil_error(), HasSubstr("out of memory")) << n;
     EXPECT_EQ(softsoil_wheel_count(d.get()), -1);
     EXPECT_STREQ(softsoil_error(), "this mjData has no soil: call softsoil_attach() first");
   }
   testing::internal::GetCapturedStderr();
   mj_step(m.get(), d.get());
   EXPECT_EQ(softsoil_wheel_count(d.get()), 1);
+}
+
+// More helpers than processors; those that came before memory ran out need what they work on.
+TEST(OutOfMemoryInALoop, LeavesItToTheHelpersThatAreThere) {
+  WorkerPool pool(4);
+  std::vector<std::atomic<int>> calls(100);
+  const std::function<void(int)> body = [&](int i) { ++calls[i]; };
+  for (long n = 1;; ++n) {
+    for (auto& of_one : calls) of_one = 0;
+    const FailingMemory memory(Whose::kThisThread, n);
+    try {
+      pool.ForEach(100, 4, body);
+    } catch (const std::bad_alloc&) {
+      ASSERT_EQ(n, 1) << "but for the loop itself";
+      continue;
+    }
+    for (const auto& of_one : calls) ASSERT_EQ(of_one, 1) << n;
+    if (!memory.HasFailed()) return;
+  }
 }
 
 }  // namespace

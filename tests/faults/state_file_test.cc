@@ -1,6 +1,7 @@
 // State files that are damaged or of another soil: each is refused, and told why; nothing changes.
 #include <gmock/gmock.h>
 #include <sys/resource.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <csignal>
@@ -106,6 +107,38 @@ TEST_F(DamagedStateFile, ThatIsNotThereIsRefused) {
   EXPECT_EQ(Refusal(wheel_, path_), path_ + ": cannot read: No such file or directory");
   EXPECT_EQ(Refusal(wheel_, folder_), folder_ + ": is a folder");
   EXPECT_EQ(Refusal(wheel_, path_ + ".renamed"), "");
+}
+
+TEST_F(DamagedStateFile, ThatIsAPipeIsRefusedAtOnce) {
+  const std::string pipe = folder_ + "/pipe";
+  ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
+  EXPECT_EQ(Refusal(wheel_, pipe), pipe + ": is not a regular file");
+}
+
+TEST_F(DamagedStateFile, ThatIsAnotherFileMayBeLargerThanTheMemory) {
+  Write("no state");
+  fs::resize_file(path_, std::uintmax_t{1} << 40);  // a hole
+  EXPECT_EQ(Refusal(wheel_, path_), path_ + ": is no file of softsoil_save()");
+}
+
+TEST_F(StateFile, NeedsTheModelOfTheMjData) {
+  DrivenWheel wheel;
+  const Model other = Load(WheelOnLooseSoil(4).Mjcf());
+  const char* const told = "this mjData has no soil for this mjModel: call softsoil_attach() first";
+  EXPECT_EQ(softsoil_save_simulation(other.get(), wheel.d.get(), path_.c_str()), -1);
+  EXPECT_STREQ(softsoil_error(), told);
+  EXPECT_FALSE(fs::exists(path_));
+  EXPECT_EQ(softsoil_save_simulation(wheel.m.get(), wheel.d.get(), path_.c_str()), 0);
+  EXPECT_EQ(softsoil_load_simulation(other.get(), wheel.d.get(), path_.c_str()), -1);
+  EXPECT_STREQ(softsoil_error(), told);
+}
+
+TEST_F(StateFile, NeedsAName) {
+  DrivenWheel wheel;
+  EXPECT_EQ(softsoil_save(wheel.d.get(), ""), -1);
+  EXPECT_STREQ(softsoil_error(), "path must not be empty");
+  EXPECT_EQ(softsoil_load(wheel.d.get(), ""), -1);
+  EXPECT_STREQ(softsoil_error(), "path must not be empty");
 }
 
 // A wheel like the one that is saved, but for one thing.

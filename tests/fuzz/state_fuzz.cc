@@ -117,7 +117,9 @@ std::vector<unsigned char> Damaged(std::vector<unsigned char> file, const std::s
 void Read(const std::string& edits) {
   static Case sound;
   const auto file = Damaged(sound.file, edits);
-  const SoilState state = ParseState(file, sound.wheels, sound.undisturbed, &sound.data);
+  SavedState saved = ParseState(file, sound.wheels, sound.undisturbed, &sound.fake.m);
+  Exchange(&saved.mujoco, &sound.fake.m, &sound.fake.d);
+  const SoilState& state = saved.soil;
   if (state.pending.poses.empty()) return;
   sound.wheels.SetState(state.wheels);
   for (int step = 0; step < 2; ++step) Case::Press(sound.wheels, state.pending.poses[0]);

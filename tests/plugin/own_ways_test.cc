@@ -238,6 +238,17 @@ TEST(SoilOfACopiedModel, IsCopiedWithTheApi) {
   }
 }
 
+TEST(SoilOfACopiedModel, OutlivesTheModel) {
+  Simulation a(CompactingWheel());
+  Step(a, 50);
+  const Model m(mj_copyModel(nullptr, a.m.get()));
+  a.m.reset();
+  const Data d = MakeData(m);
+  mj_copyData(d.get(), m.get(), a.d.get());
+  ASSERT_EQ(softsoil_copy(d.get(), a.d.get()), 0) << softsoil_error();
+  EXPECT_TRUE(After(30, m.get(), d.get()) == PlainRun(CompactingWheel(), 80));
+}
+
 TEST(SoilOfAnotherModel, IsRefused) {
   Simulation a(CompactingWheel()), coarse(CompactingWheel(), "grid_spacing=0.1");
   Step(a, 10);
@@ -252,6 +263,16 @@ TEST(SoilOfAnotherModel, IsRefused) {
   EXPECT_EQ(softsoil_copy(bare.get(), a.d.get()), -1);
   EXPECT_THAT(softsoil_error(), HasSubstr("the mjData are of different models"));
   EXPECT_EQ(softsoil_wheel_count(bare.get()), -1);
+}
+
+TEST(SimulationOfAnotherModel, IsNeitherSavedNorLoaded) {
+  Simulation a(CompactingWheel());
+  const Model m = Load(World(R"(<body><freejoint/><geom size=".1"/></body>)"));
+  const std::string path = testing::TempDir() + "softsoil_model_" + std::to_string(getpid());
+  EXPECT_EQ(softsoil_save_simulation(m.get(), a.d.get(), path.c_str()), -1);
+  EXPECT_THAT(softsoil_error(), HasSubstr("no soil for this mjModel"));
+  EXPECT_EQ(softsoil_load_simulation(m.get(), a.d.get(), path.c_str()), -1);
+  EXPECT_THAT(softsoil_error(), HasSubstr("no soil for this mjModel"));
 }
 
 }  // namespace

@@ -55,5 +55,24 @@ TEST_P(Rollouts, OfOneMjDataInThreadsAreAsOneAfterTheOther) {
   EXPECT_NE(Hash(main_.d.get()), before);
 }
 
+// Its soil follows the mark at the first question, which is that of several threads.
+TEST(RolloutsOfAMjDataThatWasJustCopied, AreAsOneAfterTheOther) {
+  Simulation main(CompactingWheel(2)), copied(CompactingWheel(2));
+  main.d->qvel[0] = 1;
+  Step(main, 61);
+  const mjModel* m = copied.m.get();
+  mj_copyData(copied.d.get(), m, main.d.get());
+  std::vector<Data> copies;
+  std::vector<std::thread> threads;
+  for (int i = 0; i < kThreads; ++i) copies.push_back(MakeData(copied.m));
+  for (int i = 0; i < kThreads; ++i) {
+    threads.emplace_back([&, i] {
+      EXPECT_EQ(softsoil_copy(copies[i].get(), copied.d.get()), 0) << softsoil_error();
+    });
+  }
+  for (std::thread& thread : threads) thread.join();
+  for (const Data& d : copies) EXPECT_EQ(Hash(d.get()), Hash(main.d.get()));
+}
+
 }  // namespace
 }  // namespace softsoil

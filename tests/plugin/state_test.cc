@@ -1,5 +1,6 @@
 // Soil as state: after any copy, snapshot or file the future has the same bits as without.
 #include <gmock/gmock.h>
+#include <unistd.h>
 
 #include <cstdio>
 #include <memory>
@@ -80,6 +81,22 @@ TEST(SoilState, IsOneOfItsOwnInACopy) {
   EXPECT_EQ(Hash(a), before);
 }
 
+TEST(SoilState, IsCopiedAfterTheModelThatSteppedItIsGone) {
+  Driven a;
+  {
+    const Model copy(mj_copyModel(nullptr, a.m.get()));
+    mj_step(copy.get(), a.d.get());
+  }
+  const Data d = MakeData(a.m);
+  mj_copyData(d.get(), a.m.get(), a.d.get());
+  ASSERT_EQ(softsoil_copy(d.get(), a.d.get()), 0) << softsoil_error();
+  mj_step(a.m.get(), d.get());
+  mj_step(a.m.get(), a.d.get());
+  EXPECT_EQ(softsoil_wheel_count(d.get()), 1) << softsoil_error();
+  EXPECT_EQ(d->qpos[0], a.d->qpos[0]);
+  EXPECT_EQ(d->qpos[1], a.d->qpos[1]);
+}
+
 TEST(SoilState, IsRestoredFromASnapshotAnyNumberOfTimes) {
   Driven a, plain;
   const Data saved = MakeData(a.m);
@@ -96,7 +113,7 @@ TEST(SoilState, IsRestoredFromASnapshotAnyNumberOfTimes) {
 }
 
 TEST(SoilState, GoesOnAlikeFromAFile) {
-  const std::string path = testing::TempDir() + "softsoil_state";
+  const std::string path = testing::TempDir() + "softsoil_state_" + std::to_string(getpid());
   Driven a;
   ASSERT_EQ(softsoil_save_simulation(a.m.get(), a.d.get(), path.c_str()), 0) << softsoil_error();
   Simulation b(CompactingWheel());

@@ -102,6 +102,21 @@ TEST(LoadReach, NamesTheSourceThatPressesMost) {
   EXPECT_EQ(reach.At(45 * kDx, 26 * kDx).source, 1);
 }
 
+// A wheel that is thrown 10 km within a soil period presses here and there, not in between.
+TEST(LoadReach, DoesNotSpanTheWayOfAWheelThatIsThrown) {
+  SurfaceLoad load = RandomLoad({0, 0}, 6, kDx, 0.02, 1);
+  const SurfaceLoad far = RandomLoad({400000, 400000}, 6, kDx, 0.02, 2);
+  load.insert(load.end(), far.begin(), far.end());
+  const LoadReach reach(load, 5);
+  double area = 0;  // [m^2]
+  reach.ForEachRectangle(
+      1e3, [&](double x0, double x1, double y0, double y1) { area += (x1 - x0) * (y1 - y0); });
+  EXPECT_LT(area, 100);
+  for (const double x : {0.0, 0.3, 1e4, 1e4 + 0.3}) {
+    EXPECT_LE(MostBelow(load, 5, x, x), reach.At(x, x).stress) << x;
+  }
+}
+
 TEST(LoadReach, OfNoLoadIsNothing) {
   const LoadReach reach({}, 5);
   EXPECT_EQ(reach.At(0, 0).stress, 0);

@@ -67,6 +67,8 @@ TEST(Measurements, ConvertTheLargestAndSmallestNumbers) {
   EXPECT_EQ(InSi(0, kPa), 0);
   ExpectRefused([] { FromText("sinkage [mm],pressure [kPa]\n1,2\n1,1e308\n"); },
                 ":3: pressure is too large, got 1e308 kPa");
+  ExpectRefused([] { FromText("sinkage [mm],pressure [psi]\n1,-1e308\n"); },
+                ":2: pressure is too large, got -1e308 psi");
 }
 
 TEST(Measurements, RefuseAHeaderThatIsNotClear) {

@@ -1,6 +1,7 @@
 #include "terrain/output_file.h"
 
 #include <gmock/gmock.h>
+#include <sys/stat.h>
 
 #include <filesystem>
 #include <fstream>
@@ -50,6 +51,27 @@ TEST_F(OutputFileTest, SaysThatAFileCannotBeOpened) {
   EXPECT_THAT(
       [&] { OutputFile file(path); },
       ThrowsMessage<std::runtime_error>(path + ".part: cannot open: No such file or directory"));
+}
+
+TEST_F(OutputFileTest, IsWrittenByOneAtATime) {
+  const auto open = [this] { OutputFile file(path_); };
+  const auto is_refused =
+      ThrowsMessage<std::runtime_error>(path_ + ".part: cannot open: Device or resource busy");
+  OutputFile file(path_);
+  file.Write("whole");
+  EXPECT_THAT(open, is_refused);
+  file.Flush();
+  EXPECT_THAT(open, is_refused);
+  file.Finish();
+  EXPECT_EQ(Content(path_), "whole");
+  EXPECT_NO_THROW(open());
+}
+
+TEST_F(OutputFileTest, DoesNotWaitForTheReaderOfAPipe) {
+  ASSERT_EQ(mkfifo((path_ + ".part").c_str(), 0600), 0);
+  EXPECT_THAT(
+      [this] { OutputFile file(path_); },
+      ThrowsMessage<std::runtime_error>(path_ + ".part: cannot open: No such device or address"));
 }
 
 TEST_F(OutputFileTest, FolderIsMadeWithItsParents) {
