@@ -89,10 +89,9 @@ typedef struct softsoilGround_ {
   size_t bytes;             // of columns, volumes and surface together
   size_t volume_bytes;      // part of it that grows with the number of volumes
   double rut_volume;        // [m^3]  below the undisturbed ground
-  double
-      displaced_volume;  // [m^3]  pressed away by wheels beyond compaction; it has moved elsewhere
-  double densified_volume;   // [m^3]  lost, the soil being denser
-  double berm_volume;        // [m^3]  above the undisturbed ground
+  double displaced_volume;  // [m^3]  pressed away by wheels beyond compaction, to elsewhere
+  double densified_volume;  // [m^3]  lost, the soil being denser
+  double berm_volume;       // [m^3]  above the undisturbed ground
 } softsoilGround;
 
 // Version of the library, "0.1.0".

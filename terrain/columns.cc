@@ -27,10 +27,13 @@ void Write(const PeriodResult& result, StateWriter& writer) {
 PeriodResult ReadPeriodResult(StateReader& reader) {
   PeriodResult result;
   result.compaction.resize(reader.Count(sizeof(GridNode) + sizeof(double)));
-  for (NodeSinkage& c : result.compaction) {
+  for (std::size_t k = 0; k < result.compaction.size(); ++k) {
+    NodeSinkage& c = result.compaction[k];
     c.node = reader.Get<GridNode>();
-    reader.Require(IsOnGrid(TileOf(c.node)), "a node of the ground");
+    const bool is_next = k == 0 || IsBeforeByTile(result.compaction[k - 1].node, c.node);
+    reader.Require(is_next && IsOnGrid(TileOf(c.node)), "a node of the ground");
     c.sinkage = reader.GetFinite();
+    reader.Require(std::abs(c.sinkage) <= kFarthest, "a compaction");
   }
   result.energy.resize(reader.Count(sizeof(double)));
   reader.GetFinite(result.energy.data(), result.energy.size());

@@ -19,7 +19,7 @@ struct ColumnSettings {
 
 // What one soil period did.
 struct PeriodResult {
-  std::vector<NodeSinkage> compaction;  // of every column visited
+  std::vector<NodeSinkage> compaction;  // of every column visited, by tile
   std::vector<double> energy;           // [J]  compaction energy by source of the load
   bool lowest_volume_yields = false;    // the column is too short for this load
 };

@@ -5,8 +5,8 @@
 #include <array>
 #include <vector>
 
+#include "terrain/compacted_surface.h"
 #include "terrain/node_table.h"
-#include "terrain/surface.h"
 
 namespace softsoil {
 
@@ -20,7 +20,7 @@ struct SoilSlope {
 // order, and in thicknesses [m] on cells of equal area, so that what one node loses another gains.
 class FlowField {
  public:
-  FlowField(const Surface& surface, SoilSlope slope) : surface_(surface), slope_(slope) {}
+  FlowField(const CompactedSurface& surface, SoilSlope slope) : surface_(surface), slope_(slope) {}
 
   // The number of a node in this field.
   int Find(GridNode node);
@@ -72,7 +72,7 @@ class FlowField {
   void Pass(int from, int to, double thickness);
   void Sweep();
 
-  const Surface& surface_;
+  CompactedSurface surface_;
   SoilSlope slope_;
   std::vector<Node> nodes_;
   NodeTable<int> numbers_;

@@ -61,38 +61,73 @@ void Ground::DeepenPlastic(int source, const std::vector<NodeSinkage>& depths) {
 }
 
 void Ground::Pass(double h) {
-  if (!clock_.Pass(h)) return;
-  Join();
-  // All that may fail comes first.
-  SurfaceLoad load = MeanLoad(clock_.Elapsed());
-  SoilFlow::Step flow = flow_.Tick(surface_, load);
-  surface_.ReserveMoved(flow.moved);
-  Start(clock_.Elapsed(), std::move(load));
-
-  for (const NodeSoil& moved : flow.moved) surface_.SetMoved(moved);
-  flow_.Finish(std::move(flow));
-  if (settings_.sync) Join();
+  const bool is_tick = clock_.Pass(h);
+  if (settings_.sync) {
+    JoinInSync();  // if it was put off
+    if (!is_tick) return;
+    Start(MakeJob(nullptr));
+    JoinInSync();
+  } else if (is_tick) {
+    auto done = DoneJob();
+    auto next = MakeJob(done.get());
+    Finish(Prepare(std::move(done), next->load));
+    Start(std::move(next));
+  }
 }
 
-SurfaceLoad Ground::MeanLoad(double period) const {
+void Ground::JoinInSync() {
+  if (job_ != nullptr) Finish(Prepare(DoneJob(), job_->load));
+}
+
+CompactedSurface Ground::SurfaceAfter(const Job* done) const {
+  if (done == nullptr) return surface_;
+  return {surface_, done->result.compaction};
+}
+
+SurfaceLoad Ground::MeanLoad(const CompactedSurface& surface) const {
   SurfaceLoad load;
-  const auto height = [this](GridNode node) { return surface_.NodeHeight(node); };
+  const auto height = [&](GridNode node) { return surface.Height(node); };
   for (std::size_t source = 0; source < gatherers_.size(); ++source) {
-    gatherers_[source].AddMean(static_cast<int>(source), period, height, &load);
+    gatherers_[source].AddMean(static_cast<int>(source), clock_.Elapsed(), height, &load);
   }
   return load;
 }
 
+std::shared_ptr<Ground::Job> Ground::MakeJob(const Job* done) const {
+  return std::make_shared<Job>(Job{MeanLoad(SurfaceAfter(done)), clock_.Elapsed(), settings_.sync});
+}
+
+Ground::Tick Ground::Prepare(std::shared_ptr<const Job> done, const SurfaceLoad& load) {
+  Tick tick;
+  tick.flow = flow_.Tick(SurfaceAfter(done.get()), load);
+  if (done != nullptr) {
+    tick.columns = done->columns;
+    surface_.ReserveCompaction(done->result.compaction);
+  }
+  surface_.ReserveMoved(tick.flow.moved);
+  tick.done = std::move(done);
+  return tick;
+}
+
+void Ground::Finish(Tick tick) {
+  if (tick.done != nullptr) {
+    for (const NodeSinkage& c : tick.done->result.compaction) surface_.SetCompaction(c);
+    columns_ = std::move(tick.columns);
+    column_bytes_copied_ = columns_.BytesCopied();
+    CountWork(tick.done->result, tick.done->period);
+    job_ = nullptr;
+  }
+  for (const NodeSoil& moved : tick.flow.moved) surface_.SetMoved(moved);
+  flow_.Finish(std::move(tick.flow));
+}
+
 void Ground::Job::Do() {
   result = columns.Advance(load, period);
-  load = {};  // copies of the ground may hold the job for long
+  if (!keeps_load) load = {};  // copies of the ground may hold the job for long
   is_done = true;
 }
 
-void Ground::Start(double period, SurfaceLoad load) {
-  // All that may fail comes first.
-  const auto job = std::make_shared<Job>(Job{columns_, std::move(load), period});
-
+void Ground::Start(std::shared_ptr<Job> job) {
   job->columns = std::move(columns_);  // so that it shares no tile with this ground
   for (LoadGatherer& gatherer : gatherers_) gatherer.Clear();
   clock_.Restart();
@@ -101,7 +136,7 @@ void Ground::Start(double period, SurfaceLoad load) {
   // Whatever fails here is tried again, and told, by DoneJob().
   try {
     job_done_ = WorkerPool::Shared()
-                    .Run([job = job]() mutable {
+                    .Run([job = std::move(job)]() mutable {
                       const auto mine = std::move(job);  // job_done_ holds this function for long
                       mine->Do();
                     })
@@ -111,29 +146,12 @@ void Ground::Start(double period, SurfaceLoad load) {
 }
 
 std::shared_ptr<const Ground::Job> Ground::DoneJob() const {
+  if (job_ == nullptr) return nullptr;
   if (job_done_.valid()) job_done_.wait();
   if (job_->is_done) return job_;
-  const auto again = std::make_shared<Job>(Job{job_->columns, job_->load, job_->period});
+  const auto again = std::make_shared<Job>(*job_);
   again->Do();
   return again;
-}
-
-void Ground::Join() {
-  if (job_ == nullptr) return;
-  // All that may fail comes first.
-  const std::shared_ptr<const Job> job = DoneJob();
-  Columns columns = job->columns;
-  surface_.ReserveCompaction(job->result.compaction);
-  flow_.ReserveCompaction(job->result.compaction.size());
-
-  for (const NodeSinkage& c : job->result.compaction) {
-    const double displaced = surface_.SetCompaction(c);
-    if (displaced != 0) flow_.Compact({c.node, displaced});
-  }
-  columns_ = std::move(columns);
-  column_bytes_copied_ = columns_.BytesCopied();
-  CountWork(job->result, job->period);
-  job_ = nullptr;
 }
 
 void Ground::CountWork(const PeriodResult& result, double period) {
@@ -176,7 +194,7 @@ double Ground::VolumeInHand() const {
 void Ground::Write(StateWriter& writer) const {
   std::shared_ptr<const Job> job = job_;
   try {
-    if (job != nullptr) job = DoneJob();
+    job = DoneJob();
   } catch (...) {  // then it is written as one that is still to be done
   }
   surface_.Write(writer);
@@ -192,12 +210,9 @@ void Ground::Write(StateWriter& writer) const {
   writer.Put(job != nullptr);
   if (job == nullptr) return;
   writer.Put(job->period);
+  softsoil::Write(job->load, writer);
   writer.Put(job->is_done);
-  if (job->is_done) {
-    softsoil::Write(job->result, writer);
-  } else {
-    softsoil::Write(job->load, writer);
-  }
+  if (job->is_done) softsoil::Write(job->result, writer);
 }
 
 void Ground::Read(StateReader& reader) {
@@ -216,13 +231,12 @@ void Ground::Read(StateReader& reader) {
   if (!reader.GetFlag()) return;
   const double period = reader.GetFinite();
   reader.Require(clock_.IsFullAt(period), "a soil period");
-  const auto job = std::make_shared<Job>(Job{std::move(columns_), {}, period});
+  const int sources = static_cast<int>(gatherers_.size());
+  SurfaceLoad load = ReadSurfaceLoad(reader, sources, kMostPressure * area);
+  const auto job = std::make_shared<Job>(Job{std::move(load), period, settings_.sync});
+  job->columns = std::move(columns_);
   job->is_done = reader.GetFlag();
-  if (job->is_done) {
-    job->result = ReadPeriodResult(reader);
-  } else {
-    job->load = ReadSurfaceLoad(reader, static_cast<int>(gatherers_.size()), kMostPressure * area);
-  }
+  if (job->is_done) job->result = ReadPeriodResult(reader);
   job_ = job;
 }
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "terrain/columns.h"
+#include "terrain/compacted_surface.h"
 #include "terrain/limits.h"
 #include "terrain/soil.h"
 #include "terrain/soil_clock.h"
@@ -61,9 +62,10 @@ class Ground {
 
   // Lets h [s] of simulated time pass. At a tick of the soil clock the job of the tick before is
   // awaited, its heights become the surface, displaced soil moves, and the mean load of the period
-  // is handed to the next job; with `sync` that job is awaited at once and its heights become the
-  // surface without lag. If memory runs out, or a job throws, the tick is put off to the next call
-  // and nothing is lost: a job that failed is done again by whoever waits for it.
+  // is handed to the next job; with `sync` that job is done first and awaited, so that its heights
+  // become the surface without lag. If memory runs out, or a job throws, the surface stays as it
+  // is, the tick is put off to the next call and nothing is lost: a job that failed is done again
+  // by whoever waits for it.
   void Pass(double h);
 
   // Of the heights that are in the surface; a job in flight is not counted.
@@ -91,20 +93,34 @@ class Ground {
   // A soil update. It holds all that it works on, so that it needs none of the copies of the ground
   // that wait for it.
   struct Job {
-    Columns columns;
     SurfaceLoad load;
-    double period;  // [s]
+    double period;    // [s]
+    bool keeps_load;  // once done: with `sync`, for the soil that moves when the surface sinks
+    Columns columns = {};
     PeriodResult result = {};
     bool is_done = false;  // else there is no result yet, and columns are as they were
 
     void Do();
   };
 
-  SurfaceLoad MeanLoad(double period) const;
-  void Start(double period, SurfaceLoad load);
-  void Join();
-  // The job in flight, done. Throws what it throws.
-  std::shared_ptr<const Job> DoneJob() const;
+  // What a tick changes, but for the next job.
+  struct Tick {
+    std::shared_ptr<const Job> done;  // whose result becomes the surface; null: none
+    Columns columns;
+    SoilFlow::Step flow;
+  };
+
+  // These may fail, and change nothing that can be asked.
+  SurfaceLoad MeanLoad(const CompactedSurface& surface) const;
+  std::shared_ptr<Job> MakeJob(const Job* done) const;  // for the surface once `done` is in it
+  std::shared_ptr<const Job> DoneJob() const;           // the job in flight, if any; done
+  Tick Prepare(std::shared_ptr<const Job> done, const SurfaceLoad& load);
+  CompactedSurface SurfaceAfter(const Job* done) const;
+  // These cannot fail.
+  void Finish(Tick tick);
+  void Start(std::shared_ptr<Job> job);
+
+  void JoinInSync();
   void CountWork(const PeriodResult& result, double period);
   const Columns& LatestColumns() const;
 

@@ -59,11 +59,11 @@ Catalogue<Soil> SoilCatalogue();
 //
 // A soil may have besides
 //   <shear form="humped" residual="0.3">             a peak of the shear stress
-//   <shear angle_of_repose_deg="30">               a heap steeper or flatter than the friction
-//   angle <unloading k_0="..." A_u="...">                  ground that springs back <layers
-//   top="0.15 0.3" initial_density="1350 1500"> <moisture slope="..." saturation="..."
-//   reference_saturation="..."> <max_stress c_1="..." c_2="...">                 for the Wong-Reece
-//   method
+//   <shear angle_of_repose_deg="30">                 of a heap of loose soil
+//   <unloading k_0="..." A_u="...">                  ground that springs back
+//   <layers top="0.15 0.3" initial_density="1350 1500">
+//   <moisture slope="..." saturation="..." reference_saturation="...">
+//   <max_stress c_1="..." c_2="...">                 for the Wong-Reece method
 const std::vector<Attribute<Soil>>& SoilAttributes(BearingForm form = BearingForm::kBekker);
 
 }  // namespace softsoil

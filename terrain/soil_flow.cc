@@ -8,8 +8,9 @@
 namespace softsoil {
 namespace {
 
-constexpr double kReach = 0.5;  // [m]      half a wide tire and its berm
-constexpr int kSweeps = 10;     // per tick
+constexpr double kReach = 0.5;     // [m]      half a wide tire and its berm
+constexpr int kSweeps = 10;        // per tick
+constexpr double kMostDrag = 100;  // [-]  force along the ground per weight that still tells
 
 SoilSlope SlopeOf(const Soil& soil) {
   const double gamma = kGravity * soil.compaction.initial_density;
@@ -73,15 +74,9 @@ void SoilFlow::Reserve(int source, const std::vector<NodeSinkage>& nodes) {
   for (const NodeSinkage& n : nodes) pushed_[source].At(n.node, 0.0);
 }
 
-void SoilFlow::Compact(NodeSoil displaced) { compacted_.push_back(displaced); }
-
-void SoilFlow::ReserveCompaction(std::size_t nodes) {
-  compacted_.reserve(compacted_.size() + nodes);
-}
-
 // Nodes that the wheel has pressed deeper, and those that bear it where it has been before: behind
 // the axle it rests on its own rut.
-SoilFlow::Footprint SoilFlow::FootprintOf(int source, const Surface& surface,
+SoilFlow::Footprint SoilFlow::FootprintOf(int source, const CompactedSurface& surface,
                                           const SurfaceLoad& load, FlowField* field) const {
   Footprint footprint;
   NodeTable<int> numbers;
@@ -99,12 +94,13 @@ SoilFlow::Footprint SoilFlow::FootprintOf(int source, const Surface& surface,
   }
   for (const NodeForce& f : load) {
     if (f.source != source || f.force_w.z() >= 0 || !surface.Layers(f.node).was_pressed) continue;
-    at(f.node).drag_w = f.force_w.head<2>() / -f.force_w.z();
+    const Eigen::Vector2d along_w = f.force_w.head<2>();
+    at(f.node).drag_w = along_w / std::max(-f.force_w.z(), along_w.norm() / kMostDrag);
   }
   return footprint;
 }
 
-SoilFlow::Step SoilFlow::Tick(const Surface& surface, const SurfaceLoad& load) const {
+SoilFlow::Step SoilFlow::Tick(const CompactedSurface& surface, const SurfaceLoad& load) const {
   FlowField field(surface, slope_);
   std::vector<Footprint> footprints;
   for (std::size_t source = 0; source < pushed_.size(); ++source) {
@@ -115,11 +111,11 @@ SoilFlow::Step SoilFlow::Tick(const Surface& surface, const SurfaceLoad& load) c
     if (!field.IsCovered(k)) field.Disturb(k);
   }
   for (const Footprint& footprint : footprints) footprint.Spread(&field);
-  for (const auto& [node, displaced] : compacted_) {
-    const int k = field.Find(node);
-    if (displaced > 0) field.Add(k, displaced);
-    if (displaced < 0) field.TakeFromAround(k, -displaced, reach_);
-  }
+  surface.ForEachDisplaced([&](NodeSoil displaced) {
+    const int k = field.Find(displaced.node);
+    if (displaced.thickness > 0) field.Add(k, displaced.thickness);
+    if (displaced.thickness < 0) field.TakeFromAround(k, -displaced.thickness, reach_);
+  });
   field.Slide(kSweeps);
 
   Step step{field.Moved(), field.Restless()};
@@ -132,7 +128,6 @@ SoilFlow::Step SoilFlow::Tick(const Surface& surface, const SurfaceLoad& load) c
 
 void SoilFlow::Finish(Step step) {
   for (NodeTable<double>& pushed : pushed_) pushed.Clear();
-  compacted_.clear();
   restless_ = std::move(step.restless);
 }
 
@@ -141,12 +136,11 @@ double SoilFlow::InHand() const {
   for (const NodeTable<double>& pushed : pushed_) {
     for (const auto& entry : pushed.InOrder()) sum += entry.value;
   }
-  for (const NodeSoil& soil : compacted_) sum += soil.thickness;
   return sum;
 }
 
 std::size_t SoilFlow::MemoryBytes() const {
-  std::size_t bytes = compacted_.size() * sizeof(NodeSoil) + restless_.size() * sizeof(GridNode);
+  std::size_t bytes = restless_.size() * sizeof(GridNode);
   for (const NodeTable<double>& pushed : pushed_) bytes += sizeof pushed + pushed.MemoryBytes();
   return bytes;
 }
@@ -163,22 +157,12 @@ void SoilFlow::Write(StateWriter& writer) const {
       writer.Put(thickness);
     }
   }
-  writer.Put(static_cast<std::uint64_t>(compacted_.size()));
-  for (const NodeSoil& soil : compacted_) {
-    writer.Put(soil.node);
-    writer.Put(soil.thickness);
-  }
   writer.PutAll(restless_);
 }
 
 void SoilFlow::Read(StateReader& reader) {
   for (NodeTable<double>& pushed : pushed_) {
     pushed.Read(reader, sizeof(double), &ReadThickness);
-  }
-  compacted_.resize(reader.Count(sizeof(GridNode) + sizeof(double)));
-  for (NodeSoil& soil : compacted_) {
-    soil.node = ReadNode(reader);
-    soil.thickness = ReadThickness(reader);
   }
   restless_.resize(reader.Count(sizeof(GridNode)));
   for (GridNode& node : restless_) node = ReadNode(reader);

@@ -28,17 +28,15 @@ class SoilFlow {
   // which changes nothing else.
   void Push(int source, NodeSoil soil);
   void Reserve(int source, const std::vector<NodeSinkage>& nodes);
-  // What Surface::SetCompaction() returns. Cannot fail for so many nodes after Reserve().
-  void Compact(NodeSoil displaced);
-  void ReserveCompaction(std::size_t nodes);
 
-  // What a tick does. A question: changes nothing.
+  // What a tick does, at which the compaction of the surface comes to be as it is given here, under
+  // the mean load since the last one. A question: changes nothing.
   struct Step {
     std::vector<NodeSoil> moved;     // for Surface::SetMoved()
     std::vector<GridNode> restless;  // that may go on moving
   };
-  Step Tick(const Surface& surface, const SurfaceLoad& load) const;
-  // The tick has been done.
+  Step Tick(const CompactedSurface& surface, const SurfaceLoad& load) const;
+  // The tick has been done. Cannot fail.
   void Finish(Step step);
 
   double InHand() const;  // [m]  sum of thicknesses
@@ -48,13 +46,12 @@ class SoilFlow {
 
  private:
   struct Footprint;
-  Footprint FootprintOf(int source, const Surface& surface, const SurfaceLoad& load,
+  Footprint FootprintOf(int source, const CompactedSurface& surface, const SurfaceLoad& load,
                         FlowField* field) const;
 
   SoilSlope slope_;
   int reach_;                              // [nodes]  from where soil is taken back
   std::vector<NodeTable<double>> pushed_;  // [m]  by source
-  std::vector<NodeSoil> compacted_;
   std::vector<GridNode> restless_;
 };
 

@@ -62,10 +62,26 @@ double Surface::NodeHeight(GridNode node) const {
 
 NodeLayers Surface::Layers(GridNode node) const {
   const Tile* tile = tiles_.Find(TileOf(node));
-  if (tile == nullptr) return {Undisturbed(node), 0, false};
-  const int place = PlaceInTile(node);
-  return {(*tile->undisturbed)[place] - tile->Sunk(place), (*tile->moved)[place],
-          (*tile->plastic)[place] > 0};
+  return LayersWith({node, tile != nullptr ? (*tile->compaction)[PlaceInTile(node)] : 0});
+}
+
+NodeLayers Surface::LayersWith(NodeSinkage compaction) const {
+  const Tile* tile = tiles_.Find(TileOf(compaction.node));
+  if (tile == nullptr) {
+    return {Undisturbed(compaction.node) - std::max(compaction.sinkage, 0.0), 0, false};
+  }
+  const int place = PlaceInTile(compaction.node);
+  const double plastic = (*tile->plastic)[place];
+  return {(*tile->undisturbed)[place] - std::max(compaction.sinkage, plastic),
+          (*tile->moved)[place], plastic > 0};
+}
+
+double Surface::DisplacedBy(NodeSinkage compaction) const {
+  const Tile* tile = tiles_.Find(TileOf(compaction.node));
+  const int place = PlaceInTile(compaction.node);
+  const double plastic = tile != nullptr ? (*tile->plastic)[place] : 0;
+  const double present = tile != nullptr ? tile->Displaced(place) : 0;
+  return std::max(compaction.sinkage, plastic) - compaction.sinkage - present;
 }
 
 double Surface::Height(double x, double y) const {
@@ -133,14 +149,8 @@ bool Surface::Moves(NodeSoil moved) const {
   return tile == nullptr || (*tile->moved)[PlaceInTile(moved.node)] != moved.thickness;
 }
 
-double Surface::SetCompaction(NodeSinkage compaction) {
-  if (!Compacts(compaction)) return 0;
-  double& present = Touch(&Tile::compaction, compaction.node);
-  const Tile& tile = *tiles_.Find(TileOf(compaction.node));
-  const int place = PlaceInTile(compaction.node);
-  const double displaced = tile.Sunk(place) - present;
-  present = compaction.sinkage;
-  return tile.Sunk(place) - present - displaced;
+void Surface::SetCompaction(NodeSinkage compaction) {
+  if (Compacts(compaction)) Touch(&Tile::compaction, compaction.node) = compaction.sinkage;
 }
 
 double Surface::DeepenPlastic(NodeSinkage depth) {
@@ -201,7 +211,7 @@ double Surface::CompactionVolume() const {
 }
 
 double Surface::DisplacedVolume() const {
-  return Volume([](const Tile& tile, int k) { return tile.Sunk(k) - (*tile.compaction)[k]; });
+  return Volume([](const Tile& tile, int k) { return tile.Displaced(k); });
 }
 
 double Surface::MovedVolume() const {

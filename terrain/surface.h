@@ -88,16 +88,18 @@ class Surface {
   double Height(double x, double y) const;  // [m]  bilinear
   double Undisturbed(GridNode node) const;  // [m]
   NodeLayers Layers(GridNode node) const;
+  // The same with another compaction, and by how much [m] the displaced thickness grows with it.
+  NodeLayers LayersWith(NodeSinkage compaction) const;
+  double DisplacedBy(NodeSinkage compaction) const;
 
   // Copies the nodes that surround the rectangle [m] into `patch`.
   void CopyPatch(double x_min, double x_max, double y_min, double y_max, SurfacePatch* patch) const;
 
   // The displaced thickness at a node is max(plastic - compaction, 0) [m]. Its sum over all nodes
-  // is that of moved soil, if the soil that the next two return is moved in the end.
+  // is that of moved soil, if what is displaced and pushed aside is moved in the end.
   //
-  // Compaction of the column below a node, from the soil update. Returns by how much [m] the
-  // displaced thickness grows; below 0 where compaction catches up with bearing sinkage.
-  double SetCompaction(NodeSinkage compaction);
+  // Compaction of the column below a node, from the soil update.
+  void SetCompaction(NodeSinkage compaction);
   // Presses the surface at a node down to a depth below the undisturbed ground; never up. Loose
   // soil gives way first. Returns the thickness [m] pushed aside. Ignored in kCompaction.
   double DeepenPlastic(NodeSinkage depth);
@@ -130,6 +132,7 @@ class Surface {
     Cow<Heights> undisturbed, compaction, plastic, moved;
 
     double Sunk(int place) const { return std::max((*compaction)[place], (*plastic)[place]); }
+    double Displaced(int place) const { return Sunk(place) - (*compaction)[place]; }
     double Sinkage(int place) const { return Sunk(place) - (*moved)[place]; }
   };
   Tile MakeTile(TileIndex index) const;

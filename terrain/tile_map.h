@@ -45,6 +45,14 @@ inline bool IsVisitedBefore(GridNode a, GridNode b) {
   return order(a) < order(b);
 }
 
+// The same by tile and node alone.
+inline bool IsBeforeByTile(GridNode a, GridNode b) {
+  const auto order = [](const GridNode& n) {
+    return std::make_tuple(n.i >> 4, n.j >> 4, n.i, n.j);
+  };
+  return order(a) < order(b);
+}
+
 // Tiles at most so far from the origin; their nodes still have 32 bits.
 constexpr int kFarthestTile = 1 << 26;
 inline bool IsOnGrid(TileIndex index) {

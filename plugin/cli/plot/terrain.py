@@ -82,8 +82,9 @@ def draw_ground(axes, sinkage, cells, spacing):
     deepest = max(sinkage.max(), 0.01)  # [m]
     norm = Normalize(0, 100 * deepest)
     colours = SOIL_COLOURS(norm(100 * sinkage))[:, :, :3]
-    # Only in the rut: a bright rim beside it would look like soil thrown up.
-    light = np.where(np.abs(sinkage) > MOVED, np.clip(sunlight(sinkage, spacing), 0.7, 1.1), 1)[:, :, None]
+    # Only in ruts and on berms: a bright rim beside a rut would look like soil thrown up.
+    light = np.clip(sunlight(sinkage, spacing), 0.7, 1.1)
+    light = np.where(np.abs(sinkage) > MOVED, light, 1)[:, :, None]
     axes.imshow(np.clip(colours * light, 0, 1), origin="lower", extent=cells,
                 interpolation="bilinear")
     return matplotlib.cm.ScalarMappable(norm, SOIL_COLOURS)
