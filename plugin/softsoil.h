@@ -144,7 +144,7 @@ SOFTSOIL_API int softsoil_visit_surface(const mjData* d, softsoilVisitor visit, 
 //   mj_copyData(spare, m, d);   s = softsoil_snapshot(d);
 //   mj_copyData(d, m, spare);   softsoil_restore(d, s);
 //
-// in any order, before the next step. From then on both go on as the one would have, to the bit.
+// in this order, before the next step. From then on both go on as the one would have, to the bit.
 // Ground is shared until one of the two changes it, so copies and snapshots cost next to nothing.
 //
 // A model with <size nuserdata="2"/> or more needs none of this: the last two numbers of userdata
