@@ -145,8 +145,8 @@ const std::vector<Setting>& SettingTable() {
        "threads of the soil update; no influence on results",
        [](Settings& s, const V& v) { s.terrain.threads = static_cast<int>(v.number); }},
       {"history", kNumber, kHistoryLimits, "MB", "100",
-       "past states of the soil, for mjData that are copied or restored; needs <size "
-       "nuserdata=\"2\"/>; 0: none",
+       "past states of the soil, for mjData that are copied or restored; needs room in "
+       "userdata, nuserdata of 2 or more; 0: none",
        [](Settings& s, const V& v) { s.history = v.number; }},
   };
   return table;

@@ -138,22 +138,26 @@ SOFTSOIL_API int softsoil_visit_surface(const mjData* d, softsoilVisitor visit, 
 // Soil as state
 //
 // The state of the soil is all that its future depends on: the ground, the slip of every tire node,
-// the load since the last soil update and the update in flight. mjData has the rest, and each of
-// these functions but the two for a whole simulation leaves that to its owner:
+// the load since the last soil update and the update in flight. mjData has the rest. Only
+// softsoil_save_simulation() and softsoil_load_simulation() take care of that too; beside all the
+// others it is for you to copy:
 //
-//   mj_copyData(d2, m, d1);  softsoil_copy(d2, d1);
+//   mj_copyData(d2, m, d1);     softsoil_copy(d2, d1);
+//   mj_copyData(spare, m, d);   s = softsoil_snapshot(d);
+//   mj_copyData(d, m, spare);   softsoil_restore(d, s);
 //
-// in any order, before the next step. From then on both go on as the one would have, to the bit.
+// in this order, before the next step. From then on both go on as the one would have, to the bit.
 // Ground is shared until one of the two changes it, so copies and snapshots cost next to nothing.
 //
 // A model with <size nuserdata="2"/> or more needs none of this: the last two numbers of userdata
 // hold a mark of the soil state, and a mjData that is copied, restored or reset by whatever means
-// finds its soil by itself at the next step, or at a question if it had one before.
-// `softsoil_history` [MB] says how many past states are kept for each mjData and for as long as it
-// lives, those that were asked for last; a state that is no longer held is an error. A HMMWV on a
-// 2.5 cm grid with a step of 1 ms takes about 0.12 MB per step, and 0.3 MB where columns compact,
-// so that the default of 100 MB reaches back 0.8 s, or 0.3 s. For a longer way back keep a
-// snapshot, which takes no more than what has changed since.
+// finds its soil by itself at the next step, or at a question if it had one before. Each mjData
+// keeps its past states while it lives, up to `softsoil_history` [MB]; those that were asked for
+// longest ago go first. The mark only names a state: a copy that has not yet stepped finds nothing
+// once that state is gone, or the mjData that was there, and that is an error. A HMMWV on a 2.5 cm
+// grid with a step of 1 ms takes about 0.11 MB per step, and 0.33 MB where columns compact, so that
+// the default of 100 MB reaches back 0.9 s, or 0.3 s. For a longer way back keep a snapshot, which
+// takes no more than what has changed since.
 //
 // Without the mark, mj_resetData and any other way back in time make the ground undisturbed, a
 // keyframe of a later time leaves it as it is, and what mj_copyData copies is not the soil. With
