@@ -74,30 +74,70 @@ void FlowField::PushAway(int k, const Eigen::Vector2d& direction, double thickne
   }
 }
 
-void FlowField::TakeFrom(const std::vector<int>& givers, double* thickness) {
-  double there = 0;
-  for (const int k : givers) there += nodes_[k].moved;
-  if (there <= 0) return;
-  const double share = std::min(1.0, *thickness / there);
-  for (const int k : givers) Add(k, -share * nodes_[k].moved);
-  *thickness -= share * there;
+void FlowField::Raise(int k, double thickness) {
+  if (IsCovered(k)) {
+    PushAway(k, Eigen::Vector2d::Zero(), thickness);
+  } else {
+    Add(k, thickness);
+  }
 }
 
-void FlowField::TakeFromAround(int k, double thickness, int reach) {
-  const auto has_loose = [this](int n) { return nodes_[n].moved > 0; };
-  if (has_loose(k)) TakeFrom({k}, &thickness);
-  std::array<int, kDirections> ends;
-  ends.fill(k);
-  std::vector<int> givers;
-  for (int way = 1; way <= reach && thickness > 0; ++way) {
-    givers.clear();
-    for (int d = 0; d < kDirections; ++d) {
-      ends[d] = Neighbour(ends[d], d);
-      if (!nodes_[ends[d]].is_covered && has_loose(ends[d])) givers.push_back(ends[d]);
-    }
-    TakeFrom(givers, &thickness);
+// In proportion to what the givers have.
+void FlowField::Ask(const std::vector<int>& givers, double* left, std::vector<Request>* requests) {
+  double there = 0;
+  for (const int k : givers) there += nodes_[k].moved;
+  for (const int k : givers) {
+    const double thickness = std::min(*left, there) * nodes_[k].moved / there;
+    nodes_[k].asked += thickness;
+    requests->push_back({left, k, thickness});
   }
-  if (thickness > 0) Add(k, -thickness);
+}
+
+void FlowField::Give(std::vector<Request>* requests) {
+  for (Request& r : *requests) {
+    r.thickness *= std::min(1.0, nodes_[r.giver].moved / nodes_[r.giver].asked);
+  }
+  for (const Request& r : *requests) {
+    nodes_[r.giver].asked = 0;
+    Add(r.giver, -r.thickness);
+    *r.left -= r.thickness;
+  }
+  requests->clear();
+}
+
+void FlowField::TakeFromAround(const std::vector<Taker>& takers, int reach) {
+  struct Search {
+    double left;
+    std::array<int, kDirections> ends;
+  };
+  std::vector<Search> searches;
+  for (const Taker& taker : takers) {
+    searches.push_back({taker.thickness, {}});
+    searches.back().ends.fill(taker.k);
+  }
+  const auto has_loose = [this](int n) { return nodes_[n].moved > 0; };
+  std::vector<Request> requests;
+  for (std::size_t t = 0; t < takers.size(); ++t) {
+    if (has_loose(takers[t].k)) Ask({takers[t].k}, &searches[t].left, &requests);
+  }
+  Give(&requests);
+  for (int way = 1; way <= reach; ++way) {
+    for (Search& search : searches) {
+      std::vector<int> givers;
+      if (search.left <= 0) continue;
+      for (int d = 0; d < kDirections; ++d) {
+        search.ends[d] = Neighbour(search.ends[d], d);
+        if (!nodes_[search.ends[d]].is_covered && has_loose(search.ends[d])) {
+          givers.push_back(search.ends[d]);
+        }
+      }
+      Ask(givers, &search.left, &requests);
+    }
+    Give(&requests);
+  }
+  for (std::size_t t = 0; t < takers.size(); ++t) {
+    if (searches[t].left != 0) Add(takers[t].k, -searches[t].left);
+  }
 }
 
 // What the neighbours get. Loose soil goes first; firm soil follows where a wall is too high.

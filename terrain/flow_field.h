@@ -35,11 +35,16 @@ class FlowField {
   // Soil pushed away from a covered node comes to lie on the first one in that direction that is
   // not covered; without a direction, on those all around.
   void PushAway(int k, const Eigen::Vector2d& direction, double thickness);
-  // Soil comes to lie on the node.
-  void Add(int k, double thickness);
-  // Takes loose soil from the node and then from the nearest in eight directions that have some, at
-  // most `reach` nodes away. Where there is none, the node itself sinks.
-  void TakeFromAround(int k, double thickness, int reach);
+  // Soil comes to lie on the node; or, where a tire is on it, beside the tire.
+  void Raise(int k, double thickness);
+  // Nodes take loose soil: each what it has itself, then from the nearest in eight directions that
+  // have some, at most `reach` nodes away. Nodes that ask for more than there is share it. Where
+  // there is none, the node itself sinks.
+  struct Taker {
+    int k;
+    double thickness;  // [m]
+  };
+  void TakeFromAround(const std::vector<Taker>& takers, int reach);
 
   // Lets soil slide, from the disturbed nodes on, in at most so many sweeps. Each node that stands
   // too steep gives to its neighbours an eighth of the excess of height: together the most that
@@ -57,6 +62,7 @@ class FlowField {
     GridNode node;
     double firm, moved, before;  // [m]
     double change = 0;           // [m]  of the present sweep
+    double asked = 0;            // [m]  of it, by takers
     bool is_covered = false, is_disturbed = false, is_changing = false;
     std::array<int, kDirections> neighbours = {-1, -1, -1, -1, -1, -1, -1, -1};  // -1: not loaded
 
@@ -64,10 +70,17 @@ class FlowField {
   };
   using Flows = std::array<double, kDirections>;  // [m]  to the neighbours
 
+  void Add(int k, double thickness);
   int Neighbour(int k, int direction);
   // First node that is not covered on the way from k.
   int BesideFootprint(int k, const Eigen::Vector2d& direction);
-  void TakeFrom(const std::vector<int>& givers, double* thickness);
+  struct Request {
+    double* left;  // [m]  of the taker
+    int giver;
+    double thickness;  // [m]
+  };
+  void Ask(const std::vector<int>& givers, double* left, std::vector<Request>* requests);
+  void Give(std::vector<Request>* requests);
   Flows Outflow(int k);
   void Pass(int from, int to, double thickness);
   void Sweep();

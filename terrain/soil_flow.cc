@@ -111,11 +111,13 @@ SoilFlow::Step SoilFlow::Tick(const CompactedSurface& surface, const SurfaceLoad
     if (!field.IsCovered(k)) field.Disturb(k);
   }
   for (const Footprint& footprint : footprints) footprint.Spread(&field);
+  std::vector<FlowField::Taker> caught_up;
   surface.ForEachDisplaced([&](NodeSoil displaced) {
     const int k = field.Find(displaced.node);
-    if (displaced.thickness > 0) field.Add(k, displaced.thickness);
-    if (displaced.thickness < 0) field.TakeFromAround(k, -displaced.thickness, reach_);
+    if (displaced.thickness > 0) field.Raise(k, displaced.thickness);
+    if (displaced.thickness < 0) caught_up.push_back({k, -displaced.thickness});
   });
+  field.TakeFromAround(caught_up, reach_);
   field.Slide(kSweeps);
 
   Step step{field.Moved(), field.Restless()};

@@ -43,7 +43,7 @@ double SteepestSlope(const Surface& surface) {
 Surface Heap(double height, int sweeps) {
   Surface surface = Flat();
   FlowField field(surface, kSlope);
-  field.Add(field.Find({0, 0}), height);
+  field.Raise(field.Find({0, 0}), height);
   field.Slide(sweeps);
   Apply(field, &surface);
   return surface;
@@ -112,7 +112,7 @@ TEST(FirmSoil, StandsAsAWallUpToTheCriticalHeight) {
 TEST(LooseSoil, SlidesOffTheRimIntoThePit) {
   Surface pit = Pit(0.2);
   FlowField field(pit, kSlope);
-  field.Add(field.Find({4, 0}), 0.1);
+  field.Raise(field.Find({4, 0}), 0.1);
   field.Slide(5000);
   Apply(field, &pit);
   EXPECT_LT(pit.NodeHeight({4, 0}), 0.02);
@@ -152,25 +152,33 @@ TEST_F(Footprint, IsLeftOnAllSidesWithoutADirection) {
 }
 
 TEST_F(Footprint, KeepsItsSoilWhileTheTireIsThere) {
-  field_.Add(field_.Find({4, 0}), 0.4);
+  field_.Raise(field_.Find({4, 0}), 0.4);
   field_.Slide(5000);
   EXPECT_EQ(At({3, 0}), 0);
   EXPECT_NEAR(Loose(surface_), 0.4, 1e-12);
 }
 
 TEST_F(Footprint, TakesSoilBackFromTheNearestBerms) {
-  field_.Add(field_.Find({0, 5}), 0.02);
-  field_.Add(field_.Find({0, -5}), 0.02);
-  field_.Add(field_.Find({0, 7}), 0.02);
-  field_.TakeFromAround(field_.Find({0, 0}), 0.03, 10);
+  field_.Raise(field_.Find({0, 5}), 0.02);
+  field_.Raise(field_.Find({0, -5}), 0.02);
+  field_.Raise(field_.Find({0, 7}), 0.02);
+  field_.TakeFromAround({{field_.Find({0, 0}), 0.03}}, 10);
   EXPECT_NEAR(At({0, 5}), 0.005, 1e-15);
   EXPECT_NEAR(At({0, -5}), 0.005, 1e-15);
   EXPECT_NEAR(At({0, 7}), 0.02, 1e-15);
 }
 
+TEST_F(Footprint, SharesWhatTwoAskFor) {
+  field_.Raise(field_.Find({0, 5}), 0.02);
+  field_.TakeFromAround({{field_.Find({0, 3}), 0.01}, {field_.Find({0, 7}), 0.03}}, 10);
+  EXPECT_NEAR(At({0, 5}), 0, 1e-15);
+  EXPECT_NEAR(At({0, 3}), -0.005, 1e-15);
+  EXPECT_NEAR(At({0, 7}), -0.015, 1e-15);
+}
+
 TEST_F(Footprint, SinksWhereThereIsNoSoilToTakeBack) {
-  field_.Add(field_.Find({0, 5}), 0.02);
-  field_.TakeFromAround(field_.Find({0, 0}), 0.03, 10);
+  field_.Raise(field_.Find({0, 5}), 0.02);
+  field_.TakeFromAround({{field_.Find({0, 0}), 0.03}}, 10);
   EXPECT_NEAR(At({0, 5}), 0, 1e-15);
   EXPECT_NEAR(At({0, 0}), -0.01, 1e-15);
 }
