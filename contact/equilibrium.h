@@ -13,7 +13,7 @@ constexpr double kLeastDescent = 0.1;
 // A point of the tire surface at the ground.
 struct PressedPoint {
   double penetration;  // [m]  d: radial, of the undeformed tire below the surface, >= 0
-  double depth;        // [m]  z_c: of the surface below the undisturbed ground
+  double depth;        // [m]  z_c: of the surface below where the soil begins to bear
   double release;      // [-]  loss of penetration per metre that the soil gives way, > 0
   double deepening;    // [-]  gain of depth per metre that the soil gives way, > 0
   double loose = 0;    // [m]  loose soil on top, in depth: it bears nothing

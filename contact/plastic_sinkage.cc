@@ -37,14 +37,15 @@ void PlasticSinkage(const Tire& tire, const TirePose& pose, const SurfacePatch& 
       const Eigen::Vector3d ground_w(node.i * patch.spacing(), node.j * patch.spacing(),
                                      patch.Height(a, b));
       PressedPoint point;
-      if (!PointBelow(tire.shape, pose, ground_w, patch.Sinkage(a, b), &point)) continue;
+      const double by_slip = patch.SlipSinkage(a, b), depth = patch.Sinkage(a, b) - by_slip;
+      if (!PointBelow(tire.shape, pose, ground_w, depth, &point)) continue;
       point.loose = patch.Loose(a, b);
       const PressedState state = Equilibrium(tire.spring, curve, point);
       if (!state.yields && point.loose <= 0) continue;
       // Loose soil does not spring back.
       const double through = std::min(state.depth, point.depth + point.loose);
       const double firm = state.yields ? ResidualDepth(curve, state.depth) : through;
-      sinkage->push_back({node, std::max(firm, through)});
+      sinkage->push_back({node, by_slip + std::max(firm, through)});
     }
   }
 }

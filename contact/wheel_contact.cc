@@ -85,7 +85,7 @@ void WheelContact::Evaluate(const TirePose& pose, const Surface& surface, const 
     forces->wrench.force_w += force_w;
     forces->wrench.torque_w += (contact.point_w - pose.centre_w).cross(force_w);
     forces->contacts.push_back(contact);
-    forces->surface.push_back({contact.point_w, -force_w});
+    forces->surface.push_back({contact.point_w, -force_w, contact.slip_sinkage * contact.area});
   }
 }
 
@@ -100,7 +100,7 @@ bool WheelContact::Press(int i, const TirePose& pose, const SurfacePatch& patch,
   const double descent = Descent(radial_w, ground.slope_x, ground.slope_y);
   PressedPoint point;
   point.penetration = std::min(below / std::max(descent, kLeastDescent), nodes_.radius[i]);
-  point.depth = ground.sinkage;
+  point.depth = ground.sinkage - ground.slip_sinkage;
   point.loose = ground.loose;
   point.release = 1;
   point.deepening =
@@ -114,7 +114,7 @@ bool WheelContact::Press(int i, const TirePose& pose, const SurfacePatch& patch,
   contact->pressure =
       std::clamp(state.pressure + tire_.damping * ClosingSpeed(pose, ground), 0.0, most);
   contact->area = LoadedArea(nodes_.area[i], nodes_.radius[i], state.penetration);
-  contact->depth = state.depth;
+  contact->depth = state.depth + ground.slip_sinkage;
   contact->point_w = node_w - state.penetration * radial_w;
   contact->normal_force_w =
       -contact->pressure * contact->area * (pose.frame_w * nodes_.normal_t[i]);
@@ -134,6 +134,10 @@ void WheelContact::Rub(const TirePose& pose, const Soil& soil, double h,
   const Mobilisation damped = softsoil::Slip(contact->mobilisation, v_t, v_b, lead, K);
   const double strength = ShearStrength(soil.shear, tire_.soil_friction, contact->pressure) *
                           HumpFactor(soil.shear, damped.slip);
+  contact->slip_sinkage = contact->pressure > 0
+                              ? SlipSinkage(soil.slip_sinkage, strength / contact->pressure,
+                                            contact->mobilisation, h * std::hypot(v_t, v_b))
+                              : 0.0;
   contact->shear_force_w =
       -strength * contact->area * (damped.t * tangent_w + damped.b * binormal_w);
 }

@@ -41,6 +41,7 @@ struct NodeContact {
   Eigen::Vector3d shear_force_w;   // [N]   on the wheel
   double pressure, area;           // [Pa], [m^2]
   double depth;                    // [m]   below the undisturbed ground
+  double slip_sinkage;             // [m]   of the soil in this step
   Mobilisation mobilisation;       // at the end of the step
 };
 

@@ -34,6 +34,7 @@ void AddSoil(const Soil& soil, IdentityList* list) {
   list->Add("shear form", static_cast<int>(soil.shear.form));
   list->Add("residual shear", soil.shear.residual);
   list->Add("angle of repose", AngleOfRepose(soil));
+  list->Add("slip sinkage", soil.slip_sinkage);
   list->Add("unloading k_0", soil.unloading.k_0);
   list->Add("unloading A_u", soil.unloading.A_u);
   list->Add("moisture shift", soil.compaction.moisture_shift);

@@ -43,13 +43,26 @@ Ground::Ground(const Soil& soil, const GroundSettings& settings, UndisturbedHeig
 }
 
 void Ground::AddLoad(int source, const std::vector<SurfaceForce>& forces, double h) {
-  for (const SurfaceForce& force : forces) gatherers_[source].Add(force, h);
+  const double area = settings_.grid_spacing * settings_.grid_spacing;
+  for (const SurfaceForce& force : forces) {
+    gatherers_[source].Add(force, h);
+    if (force.slip_volume <= 0) continue;
+    const CellShares shares(force.point_w, settings_.grid_spacing);
+    shares.ForEach([&](GridNode node, double share) {
+      surface_.AddSlipSinkage({node, share * force.slip_volume / area});
+    });
+  }
 }
 
 void Ground::Reserve(int source, const std::vector<SurfaceForce>& forces,
                      const std::vector<NodeSinkage>& depths) {
   gatherers_[source].Reserve(forces);
   surface_.ReservePlastic(depths);
+  for (const SurfaceForce& force : forces) {
+    if (force.slip_volume <= 0) continue;
+    const CellShares shares(force.point_w, settings_.grid_spacing);
+    shares.ForEach([&](GridNode node, double) { surface_.ReserveSlipSinkage(node); });
+  }
   flow_.Reserve(source, depths);
 }
 

@@ -55,6 +55,19 @@ SOFTSOIL_HD inline Mobilisation Slip(Mobilisation m, double v_t, double v_b, dou
           m.slip + h * speed};
 }
 
+// Slip sinkage [m] while a surface slips by `way` [m]: how much deeper soil must lie to bear the
+// same pressure as before, S (tau/sigma) dj. The stress ratio times the way is the shear work per
+// pressure; of the way that part counts which is plastic shear and does not go into mobilising the
+// soil. `strength_ratio` [-] is the shear strength per pressure.
+//
+// In proportion to the way slipped and apart from the pressure, as plate tests show it nearly:
+// s = c_0 p^c_1 j^c_2, Muro and O'Brien (2004). Work, unlike a slip ratio, is also there where a
+// wheel spins on the spot or slides sideways.
+SOFTSOIL_HD inline double SlipSinkage(double S, double strength_ratio, const Mobilisation& m,
+                                      double way) {
+  return S * strength_ratio * (m.t * m.t + m.b * m.b) * way;
+}
+
 // What a mobilised shear stress must be multiplied with after the way `slip` [m], so that a hump
 // follows on a straight slip; 1 for Janosi-Hanamoto. The way counts, not the stress: a mat of roots
 // or a crust that has been torn stays torn when the slip reverses.

@@ -118,6 +118,11 @@ std::optional<double> ReadAngleOfRepose(XmlEntry& entry, const Soil& soil) {
   return angle;
 }
 
+double ReadSlipSinkage(XmlEntry& entry) {
+  if (!entry.Has("shear", "slip_sinkage")) return 0.0;
+  return entry.Number("shear", "slip_sinkage", "", Range::kNotNegative);
+}
+
 Unloading ReadUnloading(XmlEntry& entry) {
   if (!entry.Has("unloading")) return {};
   const Unloading unloading{entry.Number("unloading", "k_0", "Pa/m", Range::kNotNegative),
@@ -162,6 +167,7 @@ Soil ReadSoil(XmlEntry& entry) {
   soil.layers = ReadLayers(entry);
   soil.max_stress = ReadMaxStress(entry);
   soil.angle_of_repose = ReadAngleOfRepose(entry, soil);
+  soil.slip_sinkage = ReadSlipSinkage(entry);
   RefuseTooLoose(entry, soil.compaction, soil.compaction.initial_density);
   for (const DensityLayer& layer : soil.layers) {
     RefuseTooLoose(entry, soil.compaction, layer.density);

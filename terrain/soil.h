@@ -35,6 +35,7 @@ struct Soil {
   double concentration_factor;       // [-]  nu of Froehlich, 3 (elastic) to 6 (very soft)
   std::optional<MaxStress> max_stress;
   std::optional<double> angle_of_repose;  // [rad]  of a heap of loose soil, > 0
+  double slip_sinkage = 0;  // [-]  S of SlipSinkage(), >= 0
 };
 
 // Angle [rad] at which a heap of loose soil comes to rest: as given, or the friction angle, at
@@ -60,6 +61,7 @@ Catalogue<Soil> SoilCatalogue();
 // A soil may have besides
 //   <shear form="humped" residual="0.3">             a peak of the shear stress
 //   <shear angle_of_repose_deg="30">                 of a heap of loose soil
+//   <shear slip_sinkage="0.3">                       sinkage per way slipped and stress ratio
 //   <unloading k_0="..." A_u="...">                  ground that springs back
 //   <layers top="0.15 0.3" initial_density="1350 1500">
 //   <moisture slope="..." saturation="..." reference_saturation="...">

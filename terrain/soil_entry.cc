@@ -83,6 +83,7 @@ class EntryPrinter {
     if (entry_.soil.angle_of_repose) {
       Number("angle_of_repose_deg", *entry_.soil.angle_of_repose * kDegrees);
     }
+    if (entry_.soil.slip_sinkage > 0) Number("slip_sinkage", entry_.soil.slip_sinkage);
     Close("shear");
   }
   void Layers() {

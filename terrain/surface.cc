@@ -30,9 +30,11 @@ SurfacePoint SurfacePatch::At(double x, double y) const {
   const Bilinear height(&height_[k], &height_[k + nodes_y_], gx - a, gy - b, spacing_);
   const Bilinear sinkage(&sinkage_[k], &sinkage_[k + nodes_y_], gx - a, gy - b, spacing_);
   const Bilinear loose(&loose_[k], &loose_[k + nodes_y_], gx - a, gy - b, spacing_);
+  const Bilinear slip(&slip_[k], &slip_[k + nodes_y_], gx - a, gy - b, spacing_);
   return {height.value,
           sinkage.value,
           loose.value,
+          slip.value,
           height.slope_x,
           height.slope_y,
           height.slope_x + sinkage.slope_x,
@@ -101,6 +103,7 @@ void Surface::CopyPatch(double x_min, double x_max, double y_min, double y_max,
   patch->height_.resize(count);
   patch->sinkage_.resize(count);
   patch->loose_.resize(count);
+  patch->slip_.resize(count);
   std::size_t k = 0;
   for (int a = 0; a < patch->nodes_x_; ++a) {
     const Tile* tile = nullptr;
@@ -110,6 +113,7 @@ void Surface::CopyPatch(double x_min, double x_max, double y_min, double y_max,
       const int place = PlaceInTile(node);
       patch->sinkage_[k] = tile != nullptr ? tile->Sinkage(place) : 0.0;
       patch->loose_[k] = tile != nullptr ? std::max((*tile->moved)[place], 0.0) : 0.0;
+      patch->slip_[k] = tile != nullptr ? (*tile->slip)[place] : 0.0;
       const double undisturbed = tile != nullptr ? (*tile->undisturbed)[place] : Undisturbed(node);
       patch->height_[k] = undisturbed - patch->sinkage_[k];
     }
@@ -123,7 +127,7 @@ Surface::Tile Surface::MakeTile(TileIndex index) const {
     undisturbed[place] = Undisturbed(NodeAt(index, place));
   }
   const auto none = [] { return Cow<Heights>::Make(Heights{}); };
-  return {Cow<Heights>::Make(undisturbed), none(), none(), none()};
+  return {Cow<Heights>::Make(undisturbed), none(), none(), none(), none()};
 }
 
 double& Surface::Touch(Cow<Heights> Tile::*part, GridNode node) {
@@ -163,6 +167,10 @@ double Surface::DeepenPlastic(NodeSinkage depth) {
   if (loose > 0) Touch(&Tile::moved, depth.node) = moved - loose;
   if (loose < pushed) Touch(&Tile::plastic, depth.node) = depth.sinkage + std::min(moved, 0.0);
   return pushed;
+}
+
+void Surface::AddSlipSinkage(NodeSinkage slip) {
+  if (mode_ == SurfaceMode::kFlow) Touch(&Tile::slip, slip.node) += slip.sinkage;
 }
 
 void Surface::SetMoved(NodeSoil moved) {
@@ -219,7 +227,7 @@ double Surface::MovedVolume() const {
 }
 
 std::size_t Surface::MemoryBytes() const {
-  return tiles_.size() * (sizeof(Tile) + 4 * sizeof(Heights));
+  return tiles_.size() * (sizeof(Tile) + 5 * sizeof(Heights));
 }
 
 std::size_t Surface::BytesCopied() const {
@@ -238,7 +246,7 @@ void Surface::ForEachNode(const std::function<void(GridNode, double, double)>& v
 
 void Surface::Write(StateWriter& writer) const {
   tiles_.Write(writer, [](StateWriter& to, const Tile& tile) {
-    for (const Cow<Heights>* part : {&tile.compaction, &tile.plastic, &tile.moved}) {
+    for (const Cow<Heights>* part : {&tile.compaction, &tile.plastic, &tile.moved, &tile.slip}) {
       to.PutBytes((*part)->data(), sizeof(Heights));
     }
   });
@@ -246,9 +254,9 @@ void Surface::Write(StateWriter& writer) const {
 
 void Surface::Read(StateReader& reader) {
   tiles_.Read(
-      reader, 3 * sizeof(Heights), [this](TileIndex index) { return MakeTile(index); },
+      reader, 4 * sizeof(Heights), [this](TileIndex index) { return MakeTile(index); },
       [](StateReader& from, Tile& tile) {
-        for (Cow<Heights>* part : {&tile.compaction, &tile.plastic, &tile.moved}) {
+        for (Cow<Heights>* part : {&tile.compaction, &tile.plastic, &tile.moved, &tile.slip}) {
           Heights& heights = part->Own();
           from.GetFinite(heights.data(), heights.size());
           const auto is_near = [](double height) { return std::abs(height) <= kFarthest; };

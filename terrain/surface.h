@@ -48,6 +48,7 @@ struct SurfacePoint {
   double height;                        // [m]
   double sinkage;                       // [m]  below the undisturbed ground; below 0 on a berm
   double loose;                         // [m]  thickness of moved soil on top, which bears nothing
+  double slip_sinkage;                  // [m]  by which the soil bears deeper than undisturbed
   double slope_x, slope_y;              // [-]  dz/dx and dz/dy of the surface
   double undisturbed_x, undisturbed_y;  // [-]  the same of the undisturbed ground
 };
@@ -64,9 +65,10 @@ class SurfacePatch {
   int nodes_x() const { return nodes_x_; }
   int nodes_y() const { return nodes_y_; }
   double Height(int a, int b) const { return height_[a * nodes_y_ + b]; }  // [m] at first + (a, b)
-  double Sinkage(int a, int b) const { return sinkage_[a * nodes_y_ + b]; }  // [m]
-  double Loose(int a, int b) const { return loose_[a * nodes_y_ + b]; }      // [m]
-  double highest() const { return highest_; }                                // [m]
+  double Sinkage(int a, int b) const { return sinkage_[a * nodes_y_ + b]; }   // [m]
+  double Loose(int a, int b) const { return loose_[a * nodes_y_ + b]; }       // [m]
+  double SlipSinkage(int a, int b) const { return slip_[a * nodes_y_ + b]; }  // [m]
+  double highest() const { return highest_; }                                 // [m]
 
  private:
   friend class Surface;
@@ -74,7 +76,7 @@ class SurfacePatch {
   GridNode first_{0, 0};
   int nodes_x_ = 0, nodes_y_ = 0;
   double highest_ = 0;
-  std::vector<double> height_, sinkage_, loose_;
+  std::vector<double> height_, sinkage_, loose_, slip_;
 };
 
 // Copies share what has not changed since.
@@ -103,11 +105,15 @@ class Surface {
   // Presses the surface at a node down to a depth below the undisturbed ground; never up. Loose
   // soil gives way first. Returns the thickness [m] pushed aside. Ignored in kCompaction.
   double DeepenPlastic(NodeSinkage depth);
+  // Shear weakens the soil below a node: from now on it bears so much [m] deeper. Ignored in
+  // kCompaction.
+  void AddSlipSinkage(NodeSinkage slip);
   // Loose soil at a node, in place of what was there.
   void SetMoved(NodeSoil moved);
   // From now on until the surface is copied, to set these cannot fail for want of memory.
   void ReserveCompaction(const std::vector<NodeSinkage>& compaction);
   void ReservePlastic(const std::vector<NodeSinkage>& depths);
+  void ReserveSlipSinkage(GridNode node) { Touch(&Tile::slip, node); }
   void ReserveMoved(const std::vector<NodeSoil>& moved);
 
   double RutVolume() const;         // [m^3]  below the undisturbed ground
@@ -129,7 +135,7 @@ class Surface {
   using Heights = std::array<double, kTileSide * kTileSide>;  // [m]
   // Each part is shared by itself: a step writes to few.
   struct Tile {
-    Cow<Heights> undisturbed, compaction, plastic, moved;
+    Cow<Heights> undisturbed, compaction, plastic, moved, slip;
 
     double Sunk(int place) const { return std::max((*compaction)[place], (*plastic)[place]); }
     double Displaced(int place) const { return Sunk(place) - (*compaction)[place]; }

@@ -33,27 +33,24 @@ SurfaceLoad ReadSurfaceLoad(StateReader& reader, int sources, double most) {
   return load;
 }
 
-LoadGatherer::Cell LoadGatherer::CellOf(const SurfaceForce& force) const {
-  const double gx = force.point_w.x() / spacing_, gy = force.point_w.y() / spacing_;
+CellShares::CellShares(const Eigen::Vector3d& point_w, double spacing) {
+  const double gx = point_w.x() / spacing, gy = point_w.y() / spacing;
   const double i = std::floor(gx), j = std::floor(gy);
-  return {{static_cast<int>(i), static_cast<int>(j)}, gx - i, gy - j};
+  node_ = {static_cast<int>(i), static_cast<int>(j)};
+  u_ = gx - i;
+  v_ = gy - j;
 }
 
 void LoadGatherer::Add(const SurfaceForce& force, double h) {
-  const auto [node, u, v] = CellOf(force);
   const Eigen::Vector3d impulse = h * force.force_w;
-  At(node) += (1 - u) * (1 - v) * impulse;
-  At({node.i + 1, node.j}) += u * (1 - v) * impulse;
-  At({node.i, node.j + 1}) += (1 - u) * v * impulse;
-  At({node.i + 1, node.j + 1}) += u * v * impulse;
+  CellShares(force.point_w, spacing_).ForEach([&](GridNode node, double share) {
+    At(node) += share * impulse;
+  });
 }
 
 void LoadGatherer::Reserve(const std::vector<SurfaceForce>& forces) {
   for (const SurfaceForce& force : forces) {
-    const GridNode node = CellOf(force).node;
-    for (const int i : {node.i, node.i + 1}) {
-      for (const int j : {node.j, node.j + 1}) At({i, j});
-    }
+    CellShares(force.point_w, spacing_).ForEach([&](GridNode node, double) { At(node); });
   }
 }
 

@@ -8,9 +8,31 @@
 
 namespace softsoil {
 
-// Force [N] on the ground at a point [m], world axes.
+// Force [N] on the ground at a point [m], world axes; and slip sinkage times the area [m^3] on
+// which it came about.
 struct SurfaceForce {
   Eigen::Vector3d point_w, force_w;
+  double slip_volume = 0;
+};
+
+// A value at a point shared among the four grid nodes around it, as in bilinear interpolation:
+// its sum and its moment are kept.
+class CellShares {
+ public:
+  // spacing [m] of the grid.
+  CellShares(const Eigen::Vector3d& point_w, double spacing);
+  // visit(GridNode, double share)
+  template <class Visit>
+  void ForEach(const Visit& visit) const {
+    visit(node_, (1 - u_) * (1 - v_));
+    visit(GridNode{node_.i + 1, node_.j}, u_ * (1 - v_));
+    visit(GridNode{node_.i, node_.j + 1}, (1 - u_) * v_);
+    visit(GridNode{node_.i + 1, node_.j + 1}, u_ * v_);
+  }
+
+ private:
+  GridNode node_;  // the least of the four
+  double u_, v_;   // how far beyond, in cells
 };
 
 // Mean force [N] of a soil period at a grid node, at x, y, z [m]. `source` says whose it is: the
@@ -29,8 +51,7 @@ void Write(const SurfaceLoad& load, StateWriter& writer);
 // Of the sources 0 to sources - 1. Throws InputError, also if a force [N] exceeds `most`.
 SurfaceLoad ReadSurfaceLoad(StateReader& reader, int sources, double most);
 
-// Impulses of one source. Each force is shared among the four nodes around it such that the sum
-// and the moment about the horizontal axes of its vertical part are kept.
+// Impulses of one source. Each force is shared among the four nodes around it.
 class LoadGatherer {
  public:
   // spacing [m] of the grid.
@@ -59,12 +80,6 @@ class LoadGatherer {
   void Read(StateReader& reader, double most);
 
  private:
-  // Where a force acts: the least of the four nodes around it, and how far beyond, in cells.
-  struct Cell {
-    GridNode node;
-    double u, v;
-  };
-  Cell CellOf(const SurfaceForce& force) const;
   Eigen::Vector3d& At(GridNode node) { return impulses_.At(node, Eigen::Vector3d::Zero()); }
 
   double spacing_;

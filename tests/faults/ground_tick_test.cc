@@ -32,6 +32,7 @@ void Press(Ground& ground, int period) {
   const Circle plate{{period / 2, 0}, 0.15, 250e3};
   std::vector<SurfaceForce> forces = ForcesOf(plate, 0.05);
   for (SurfaceForce& force : forces) force.force_w.x() = -0.3 * force.force_w.z();
+  for (SurfaceForce& force : forces) force.slip_volume = 1e-7;
   std::vector<NodeSinkage> depths;
   ForEachNodeIn(plate, 0.05, [&](GridNode node) {
     depths.push_back({node, 0.03 + 0.005 * period});

@@ -30,7 +30,9 @@ Ground Undisturbed(bool sync) { return Ground(LooseSoil(), Settings(sync), FlatG
 void Drive(Ground& ground, int from, int steps) {
   for (int step = from; step < from + steps; ++step) {
     const Circle plate{{step / 10, 0}, 0.15, 250e3};
-    ground.AddLoad(step / 20 % 2, ForcesOf(plate, 0.05), 0.001);
+    std::vector<SurfaceForce> forces = ForcesOf(plate, 0.05);
+    for (SurfaceForce& force : forces) force.slip_volume = 1e-7;
+    ground.AddLoad(step / 20 % 2, forces, 0.001);
     ground.DeepenPlastic(0, {{plate.centre, 0.01 + 0.0001 * step}});
     ground.Pass(0.001);
   }

@@ -172,9 +172,7 @@ TEST(Ground, InFlowCompactsBelowASunkWheel) {
   ForEachNodeIn(kPlate, 0.05, [&](GridNode node) { sunk.DeepenPlastic(0, {{node, 0.12}}); });
   Press(sunk, kPlate, 0.3, 0.01);
   Press(level, kPlate, 0.3, 0.01);
-  const auto compaction = [](const Ground& ground) {
-    return ground.surface().CompactionVolume();
-  };
+  const auto compaction = [](const Ground& ground) { return ground.surface().CompactionVolume(); };
   EXPECT_GT(compaction(level), 0);
   EXPECT_NEAR(compaction(sunk) / compaction(level), 1, 0.2);
 }

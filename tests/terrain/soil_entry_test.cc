@@ -27,6 +27,7 @@ SoilEntry FullEntry() {
   entry.soil.unloading = {1.5e6, 2.5e8};
   entry.soil.shear.form = ShearForm::kHumped;
   entry.soil.shear.residual = 0.3;
+  entry.soil.slip_sinkage = 0.2;
   entry.soil.layers = {{0.15, 1350}, {0.3, 1500}};
   entry.soil.max_stress = MaxStress{0.43, 0.32};
   entry.moisture = {530, 0.6, 0.4};
@@ -67,6 +68,7 @@ TEST(SoilXml, KeepsEveryFormThatASoilMayHave) {
   EXPECT_EQ(soil.unloading.A_u, 2.5e8);
   EXPECT_EQ(soil.shear.form, ShearForm::kHumped);
   EXPECT_EQ(soil.shear.residual, 0.3);
+  EXPECT_EQ(soil.slip_sinkage, 0.2);
   ASSERT_EQ(soil.layers.size(), 2u);
   EXPECT_EQ(soil.layers[1].top, 0.3);
   EXPECT_EQ(soil.layers[1].density, 1500);

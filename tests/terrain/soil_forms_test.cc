@@ -59,6 +59,15 @@ TEST(SoilFile, MayHoldAHumpedShearLaw) {
             " <shear>: unknown attribute residual");
 }
 
+TEST(SoilFile, MayHoldSlipSinkage) {
+  EXPECT_EQ(Read(SoilXml("s")).slip_sinkage, 0);
+  const std::string sinks =
+      Replaced(SoilXml("s"), "<shear source", "<shear slip_sinkage=\"0.3\" source");
+  EXPECT_EQ(Read(sinks).slip_sinkage, 0.3);
+  EXPECT_EQ(Refusal(Replaced(sinks, "0.3", "-0.1")),
+            " <shear>: slip_sinkage must be >= 0, got -0.1");
+}
+
 TEST(SoilFile, MaySayThatTheGroundSpringsBack) {
   const std::string xml = With("<unloading k_0=\"0\" A_u=\"503e6\" source=\"a test\"/>");
   EXPECT_EQ(Read(xml).unloading.k_0, 0);
