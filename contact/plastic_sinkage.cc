@@ -1,5 +1,7 @@
 #include "contact/plastic_sinkage.h"
 
+#include <cmath>
+
 #include "contact/equilibrium.h"
 
 namespace softsoil {
@@ -23,12 +25,27 @@ bool PointBelow(const TireShape& shape, const TirePose& pose, const Eigen::Vecto
   return true;
 }
 
+bool IsBelowLug(const TireShape& shape, const TirePose& pose, const Eigen::Vector3d& ground_w) {
+  if (!shape.lugs) return true;
+  const Eigen::Vector3d place_t = pose.frame_w.transpose() * (ground_w - pose.centre_w);
+  return IsLug(shape.lugs, shape.radius, std::atan2(place_t.x(), -place_t.z()), place_t.y());
+}
+
+// Depth [m] that stays where the soil yields below the lugs or between them, 0 where it does not.
+double LeftBehind(const Tire& tire, const TreadCurve& curve, const PressedPoint& point,
+                  bool below_lug) {
+  const PressedState state = Equilibrium(tire.spring, curve, point);
+  if (!state.yields) return 0;
+  return below_lug ? ResidualDepth(curve.below_lugs, state.depth)
+                   : ResidualDepth(curve.between_lugs, state.depth - curve.height);
+}
+
 }  // namespace
 
 void PlasticSinkage(const Tire& tire, const TirePose& pose, const SurfacePatch& patch,
                     const Soil& soil, std::vector<NodeSinkage>* sinkage) {
   sinkage->clear();
-  const PlateCurve curve = CurveUnder(soil.bearing, soil.unloading, tire.shape.width);
+  const TreadCurve curve = CurveUnder(soil, tire.shape);
   for (int a = 0; a < patch.nodes_x(); ++a) {
     for (int b = 0; b < patch.nodes_y(); ++b) {
       const GridNode node{patch.first().i + a, patch.first().j + b};
@@ -36,8 +53,8 @@ void PlasticSinkage(const Tire& tire, const TirePose& pose, const SurfacePatch& 
                                      patch.Height(a, b));
       PressedPoint point;
       if (!PointBelow(tire.shape, pose, ground_w, patch.Sinkage(a, b), &point)) continue;
-      const PressedState state = Equilibrium(tire.spring, curve, point);
-      if (state.yields) sinkage->push_back({node, ResidualDepth(curve, state.depth)});
+      const double depth = LeftBehind(tire, curve, point, IsBelowLug(tire.shape, pose, ground_w));
+      if (depth > 0) sinkage->push_back({node, depth});
     }
   }
 }

@@ -11,7 +11,7 @@
 namespace softsoil {
 
 // Version of the files; others are refused.
-constexpr std::uint32_t kStateFileVersion = 1;
+constexpr std::uint32_t kStateFileVersion = 2;
 
 // A mjData and its model.
 struct ModelData {
