@@ -32,8 +32,13 @@ bool IsBelowLug(const TireShape& shape, const TirePose& pose, const Eigen::Vecto
 }
 
 // Depth [m] that stays where the soil yields below the lugs or between them, 0 where it does not.
-double LeftBehind(const Tire& tire, const TreadCurve& curve, const PressedPoint& point,
-                  bool below_lug) {
+// Between them it does not before the tips are lower than the ground by the height of the lugs.
+double LeftBehind(const Tire& tire, const TreadCurve& curve, PressedPoint point, bool below_lug) {
+  if (!below_lug) {
+    point.penetration -= point.release * curve.height / point.deepening;
+    point.depth += curve.height;
+    if (point.penetration <= 0) return 0;
+  }
   const PressedState state = Equilibrium(tire.spring, curve, point);
   if (!state.yields) return 0;
   return below_lug ? ResidualDepth(curve.below_lugs, state.depth)

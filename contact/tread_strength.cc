@@ -25,6 +25,7 @@ class LuggedRow {
     const int node = contacts_[row.first].node;
     on_lug_ = nodes.on_lug[node];
     length_ = nodes.length[node];
+    gamma_ = UnitWeight(soil);
   }
 
   void Fill() {
@@ -33,29 +34,32 @@ class LuggedRow {
       FillSides(ShearStrength(soil_.shear, tire_.soil_friction, side_stress));
       return;
     }
-    double sliding = 0, wedge = 0;  // [N]
     FillSides(MohrCoulomb(soil_.shear, side_stress));
+    const double tan_phi = std::tan(soil_.shear.friction_angle);
+    double sliding = 0, wedge = 0;  // [N]
     for (int i = row_.first; i < row_.end; ++i) {
-      sliding += Sliding(contacts_[i]) * contacts_[i].area + contacts_[i].side_strength;
-      wedge += Wedge(contacts_[i]) * contacts_[i].area;
+      NodeContact& c = contacts_[i];
+      if (c.engaged > 0) sliding += (soil_.shear.cohesion + c.pressure * tan_phi) * c.area;
+      sliding += c.side_strength;
+      c.strength += PassiveStrength(c);
+      wedge += c.strength * c.area;
     }
-    const bool slides = sliding <= wedge;
-    if (!slides) FillSides(0);
+    if (sliding > wedge) {
+      FillSides(0);
+      return;
+    }
     for (int i = row_.first; i < row_.end; ++i) {
-      contacts_[i].strength = slides ? Sliding(contacts_[i]) : Wedge(contacts_[i]);
+      NodeContact& c = contacts_[i];
+      c.strength = c.engaged > 0 ? soil_.shear.cohesion + c.pressure * tan_phi : 0;
     }
   }
 
  private:
-  // [Pa]
-  double Sliding(const NodeContact& c) const {
-    return c.engaged > 0 ? MohrCoulomb(soil_.shear, c.pressure) : 0;
-  }
-  double Wedge(const NodeContact& c) const {
+  // [Pa]  of the wedge before a lug, by area of the tread.
+  double PassiveStrength(const NodeContact& c) const {
     const Lugs& lugs = tire_.shape.lugs;
-    const double passive = PassiveForce(soil_.shear, UnitWeight(soil_), c.engaged);
-    return Facing(lugs, c.mobilised) * passive / LugGap(lugs, tire_.shape.radius) +
-           ShearStrength(soil_.shear, tire_.soil_friction, c.pressure);
+    return Facing(lugs, c.mobilised) * PassiveForce(soil_.shear, gamma_, c.engaged) /
+           LugGap(lugs, tire_.shape.radius);
   }
   double SideStress() const {
     double load = 0;  // [N]
@@ -79,7 +83,8 @@ class LuggedRow {
   TreadRow row_;
   std::vector<NodeContact>& contacts_;
   bool on_lug_;
-  double length_;  // [m]  along the circumference
+  double length_;  // [m]      along the circumference
+  double gamma_;   // [N/m^3]  unit weight
 };
 
 }  // namespace
