@@ -29,7 +29,7 @@ Vector3d Left(const TirePose& pose) {
 // On the wheel, at a contact.
 void AddForce(int i, const Vector3d& force_w, const TirePose& pose, PatchForces* forces) {
   NodeContact& contact = forces->contacts[i];
-  contact.normal_force_w += force_w;
+  contact.flank_force_w = force_w;
   forces->surface[i].force_w -= force_w;
   forces->wrench.force_w += force_w;
   forces->wrench.torque_w += (contact.point_w - pose.centre_w).cross(force_w);

@@ -95,6 +95,7 @@ void WheelContact::Evaluate(const TirePose& pose, const Surface& surface, const 
   FillStrength(tire_, nodes_, soil, &forces->contacts);
   for (NodeContact& contact : forces->contacts) {
     contact.shear_force_w = ShearForce(pose, soil.shear, contact);
+    contact.flank_force_w.setZero();
     const Vector3d force_w = contact.normal_force_w + contact.shear_force_w;
     forces->wrench.force_w += force_w;
     forces->wrench.torque_w += (contact.point_w - pose.centre_w).cross(force_w);

@@ -39,8 +39,9 @@ Wrench About(const Wrench& wrench, const Eigen::Vector3d& at_w);
 struct NodeContact {
   int node;                        // of TireNodes
   Eigen::Vector3d point_w;         // [m]   of the deformed tire
-  Eigen::Vector3d normal_force_w;  // [N]   on the wheel, from the pressure, also on its flank
+  Eigen::Vector3d normal_force_w;  // [N]   on the wheel, from the pressure
   Eigen::Vector3d shear_force_w;   // [N]   on the wheel
+  Eigen::Vector3d flank_force_w;   // [N]   on the wheel, at the edges of its tread: flank.h
   double pressure, area;           // [Pa], [m^2]
   double depth;                    // [m]   below the undisturbed ground
   Mobilisation mobilisation;       // at the end of the step

@@ -24,10 +24,9 @@ PatchForces Sliding(const Tire& tire, double v_x, double v_y) {
   return forces;
 }
 
-// On a cylinder only the flank turns the pressure aside.
 double Sideways(const PatchForces& forces) {
   double sum = 0;
-  for (const NodeContact& c : forces.contacts) sum += c.normal_force_w.y();
+  for (const NodeContact& c : forces.contacts) sum += c.flank_force_w.y();
   return sum;
 }
 
@@ -53,7 +52,9 @@ TEST(Flank, BearsThePassivePressureOfTheSoilBesideIt) {
 TEST(Flank, IsInTheWrenchAndOnTheGround) {
   const PatchForces forces = Sliding(TruckTire(), 0.3, 1);
   Eigen::Vector3d on_wheel(0, 0, 0), on_ground(0, 0, 0);
-  for (const NodeContact& c : forces.contacts) on_wheel += c.normal_force_w + c.shear_force_w;
+  for (const NodeContact& c : forces.contacts) {
+    on_wheel += c.normal_force_w + c.shear_force_w + c.flank_force_w;
+  }
   for (const SurfaceForce& f : forces.surface) on_ground += f.force_w;
   EXPECT_LT(Sideways(forces), -100);
   EXPECT_NEAR((on_wheel - forces.wrench.force_w).norm(), 0, 1e-9);
