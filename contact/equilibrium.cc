@@ -1,12 +1,38 @@
 #include "contact/equilibrium.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace softsoil {
+namespace {
 
-PressedState Equilibrium(const TireSpring& spring, const PlateCurve& curve,
-                         const PressedPoint& point) {
-  const PlaceInSoil place = PlaceAt(curve, point.depth + point.loose);
+// The soil below the lugs and, higher by the height of these, between them.
+struct LuggedPlace {
+  LuggedPlace(const TreadCurve& curve, double depth)
+      : below_lugs(PlaceAt(curve.below_lugs, depth)),
+        between_lugs(PlaceAt(curve.between_lugs, std::max(0.0, depth - curve.height))),
+        height(curve.height),
+        void_share(curve.void_share),
+        z_u(below_lugs.z_u) {}
+
+  ValueAndSlope BetweenLugs(double z) const {
+    if (z - height <= between_lugs.z_r) return {0, 0};
+    return PressureAt(between_lugs, z - height);
+  }
+
+  PlaceInSoil below_lugs, between_lugs;
+  double height, void_share, z_u;
+};
+
+// Mean over the tread once the lug tips are pressed down to z.
+ValueAndSlope PressureAt(const LuggedPlace& place, double z) {
+  const ValueAndSlope lug = PressureAt(place.below_lugs, z), gap = place.BetweenLugs(z);
+  const double v = place.void_share;
+  return {(1 - v) * lug.value + v * gap.value, (1 - v) * lug.slope + v * gap.slope};
+}
+
+template <class Place>
+PressedState Balance(const TireSpring& spring, const Place& place, const PressedPoint& point) {
   // Neither does loose soil bear, nor ground above the undisturbed level until it is pushed down to
   // it. At `low` the tire is through, at `high` it no longer presses at all.
   const double through = std::max({0.0, point.loose, -point.depth});
@@ -25,6 +51,48 @@ PressedState Equilibrium(const TireSpring& spring, const PlateCurve& curve,
   const double u = FallingRoot(excess, low, high, 1e-9 * elastic);
   const double d = point.penetration - point.release * u, z = point.depth + point.deepening * u;
   return {SpringPressure(spring, d), d, z, z >= place.z_u};
+}
+
+}  // namespace
+
+PressedState Equilibrium(const TireSpring& spring, const PlateCurve& curve,
+                         const PressedPoint& point) {
+  return Balance(spring, PlaceAt(curve, point.depth + point.loose), point);
+}
+
+TreadCurve CurveUnder(const Soil& soil, const TireShape& tread) {
+  const auto under = [&](double width) {
+    return CurveUnder(soil.bearing, soil.unloading, std::min(width, tread.width));
+  };
+  const Lugs& lugs = tread.lugs;
+  if (!lugs) return {under(tread.width), {}};
+  return {under(LugWidth(lugs, tread.radius)),
+          under(LugGap(lugs, tread.radius) * std::cos(lugs.angle)), lugs.height, lugs.void_share};
+}
+
+TreadState Equilibrium(const TireSpring& spring, const TreadCurve& curve,
+                       const PressedPoint& point) {
+  if (curve.height == 0) {
+    const PressedState state = Equilibrium(spring, curve.below_lugs, point);
+    return {state, state.pressure, state.pressure};
+  }
+  const LuggedPlace place(curve, point.depth + point.loose);
+  TreadState state{Balance(spring, place, point), 0, 0};
+  const double capacity = PressureAt(place, state.depth).value;
+  // Where it bears more than it must, all of it gives back alike.
+  const double share = capacity > 0 ? state.pressure / capacity : 0;
+  state.between_lugs = share * place.BetweenLugs(state.depth).value;
+  state.on_lugs = (state.pressure - curve.void_share * state.between_lugs) / (1 - curve.void_share);
+  return state;
+}
+
+double BearingPressure(const TreadCurve& curve, double z) {
+  const auto bears = [](const PlateCurve& plate, double depth) {
+    return BearingPressure(plate.k_e, plate.n, depth);
+  };
+  if (curve.height == 0) return bears(curve.below_lugs, z);
+  return (1 - curve.void_share) * bears(curve.below_lugs, z) +
+         curve.void_share * bears(curve.between_lugs, z - curve.height);
 }
 
 }  // namespace softsoil

@@ -1,8 +1,9 @@
 // Where the pressure of the tire and the bearing capacity of the soil balance.
 #pragma once
 
-#include "contact/tire_spring.h"
+#include "contact/tire.h"
 #include "terrain/plate_curve.h"
+#include "terrain/soil.h"
 
 namespace softsoil {
 
@@ -36,5 +37,34 @@ struct PressedState {
 // 1e-12 m of u or 1e-9 of the pressure.
 PressedState Equilibrium(const TireSpring& spring, const PlateCurve& curve,
                          const PressedPoint& point);
+
+// Soil under a tread: below its lugs and, where the carcass stands higher by their height, between
+// them. Without lugs all of it is `below_lugs`.
+struct TreadCurve {
+  PlateCurve below_lugs, between_lugs;
+  double height = 0;      // [m]  of the lugs
+  double void_share = 0;  // [-]
+};
+
+// The width of the plate is the lesser side of what presses: of the tread without lugs, else of a
+// lug, and of the gap between two.
+TreadCurve CurveUnder(const Soil& soil, const TireShape& tread);
+
+// Of a tread with lugs its mean pressure and the two that it is made of.
+struct TreadState : PressedState {
+  double on_lugs, between_lugs;  // [Pa]
+};
+
+// The same for a tread. Its spring is that of the tread as a whole, as a test on a plate sees it:
+// lugs and carcass deflect together, for the carcass can not follow single lugs. What the spring
+// bears, the soil bears below the lugs and between them: f(d - release u) = (1 - v) p_l(z) +
+// v p_b(z - h), z = z_c + deepening u, v the void share, h the height. On rigid ground the lugs
+// bear all. `point.depth` is that of the ground at the tips of the lugs; between them it is taken
+// to stand h higher, but not above the undisturbed ground.
+TreadState Equilibrium(const TireSpring& spring, const TreadCurve& curve,
+                       const PressedPoint& point);
+
+// Mean pressure [Pa] that undisturbed soil bears with the tips z [m] deep.
+double BearingPressure(const TreadCurve& curve, double z);
 
 }  // namespace softsoil

@@ -29,6 +29,7 @@ std::vector<PatchPoint> PatchReportOf(const TireNodes& nodes, const TirePose& po
     point.position_w = c.point_w;
     point.normal_force_w = c.normal_force_w;
     point.shear_force_w = c.shear_force_w;
+    point.flank_force_w = c.flank_force_w;
     point.angle = std::atan2(radial_w.dot(forward_w), radial_w.dot(down_w));
     point.lateral = (c.point_w - pose.centre_w).dot(axis_w);
     point.pressure = c.pressure;

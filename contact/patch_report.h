@@ -13,6 +13,7 @@ struct PatchPoint {
   Eigen::Vector3d position_w;      // [m]    of the deformed tire
   Eigen::Vector3d normal_force_w;  // [N]
   Eigen::Vector3d shear_force_w;   // [N]
+  Eigen::Vector3d flank_force_w;   // [N]    on the edge of the tread: contact/flank.h
   double angle;                    // [rad]  along the circumference from the lowest point of the
                                    //        wheel, along the normal of the ground; positive ahead
   double lateral;                  // [m]    from the middle plane, positive to the left

@@ -1,6 +1,8 @@
 #include "contact/plastic_sinkage.h"
 
 #include <algorithm>
+#include <cmath>
+#include <optional>
 
 #include "contact/equilibrium.h"
 
@@ -25,12 +27,36 @@ bool PointBelow(const TireShape& shape, const TirePose& pose, const Eigen::Vecto
   return true;
 }
 
+bool IsBelowLug(const TireShape& shape, const TirePose& pose, const Eigen::Vector3d& ground_w) {
+  if (!shape.lugs) return true;
+  const Eigen::Vector3d place_t = pose.frame_w.transpose() * (ground_w - pose.centre_w);
+  return IsLug(shape.lugs, shape.radius, std::atan2(place_t.x(), -place_t.z()), place_t.y());
+}
+
+// Depth [m] that stays where the soil gives way below the lugs or between them. Between them it
+// does not before the tips are lower than the ground by the height of the lugs.
+std::optional<double> LeftBehind(const Tire& tire, const TreadCurve& curve, PressedPoint point,
+                                 bool below_lug) {
+  const double raised = below_lug ? 0 : curve.height;  // [m]  what presses, above the tips
+  point.penetration -= point.release * raised / point.deepening;
+  if (point.penetration <= 0) return std::nullopt;
+  point.depth += raised;
+  const PressedState state = Equilibrium(tire.spring, curve, point);
+  if (!state.yields && point.loose <= 0) return std::nullopt;
+  // Loose soil does not spring back.
+  const double depth = state.depth - raised;
+  const double through = std::min(depth, point.depth + point.loose - raised);
+  if (!state.yields) return through;
+  const PlateCurve& plate = below_lug ? curve.below_lugs : curve.between_lugs;
+  return std::max(ResidualDepth(plate, depth), through);
+}
+
 }  // namespace
 
 void PlasticSinkage(const Tire& tire, const TirePose& pose, const SurfacePatch& patch,
                     const Soil& soil, std::vector<NodeSinkage>* sinkage) {
   sinkage->clear();
-  const PlateCurve curve = CurveUnder(soil.bearing, soil.unloading, tire.shape.width);
+  const TreadCurve curve = CurveUnder(soil, tire.shape);
   for (int a = 0; a < patch.nodes_x(); ++a) {
     for (int b = 0; b < patch.nodes_y(); ++b) {
       const GridNode node{patch.first().i + a, patch.first().j + b};
@@ -40,12 +66,8 @@ void PlasticSinkage(const Tire& tire, const TirePose& pose, const SurfacePatch& 
       const double by_slip = patch.SlipSinkage(a, b), depth = patch.Sinkage(a, b) - by_slip;
       if (!PointBelow(tire.shape, pose, ground_w, depth, &point)) continue;
       point.loose = patch.Loose(a, b);
-      const PressedState state = Equilibrium(tire.spring, curve, point);
-      if (!state.yields && point.loose <= 0) continue;
-      // Loose soil does not spring back.
-      const double through = std::min(state.depth, point.depth + point.loose);
-      const double firm = state.yields ? ResidualDepth(curve, state.depth) : through;
-      sinkage->push_back({node, by_slip + std::max(firm, through)});
+      const auto left = LeftBehind(tire, curve, point, IsBelowLug(tire.shape, pose, ground_w));
+      if (left) sinkage->push_back({node, by_slip + *left});
     }
   }
 }

@@ -62,6 +62,7 @@ Tire ReadTire(XmlEntry& entry) {
   }
   const std::string fault = ShapeFault(tire.shape);
   if (!fault.empty()) entry.Refuse(fault);
+  tire.shape.lugs = ReadLugs(entry, tire.shape.radius, RadiusAt(tire.shape, tire.shape.width / 2));
   if (SpringPressure(tire.spring, 1) <= 0) {
     entry.Refuse("the spring must have one of linear, quadratic, cubic, root > 0");
   }

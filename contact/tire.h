@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "contact/lugs.h"
 #include "contact/tire_spring.h"
 #include "terrain/xml_catalogue.h"
 
@@ -17,6 +18,7 @@ struct TireShape {
   double radius;        // [m]  r, > 0
   double crown_radius;  // [m]  r_beta, >= width / 2; infinity for a cylinder
   double width;         // [m]  b, > 0
+  Lugs lugs = {};       // none if left out
 };
 
 struct Tire {
@@ -36,7 +38,7 @@ std::string ShapeFault(const TireShape& shape);
 Catalogue<Tire> TireCatalogue();
 
 // The numbers of a tire file that every tire has. <shape type="torus"> has a crown_radius besides;
-// <inflation family="..." pressure="..."/> [Pa] may stand in any.
+// <inflation family="..." pressure="..."/> [Pa] and <lugs> (contact/lugs.h) may stand in any.
 const std::vector<Attribute<Tire>>& TireAttributes();
 
 }  // namespace softsoil

@@ -154,6 +154,7 @@ void RequireAgreement(const std::vector<Tire>& others, const Tire& fresh, const 
     require(type(other) == type(fresh), "type of shape", type(other), type(fresh));
     same("radius", other.shape.radius, fresh.shape.radius);
     same("width", other.shape.width, fresh.shape.width);
+    require(other.shape.lugs == fresh.shape.lugs, "lugs", "those", "others");
     same("friction", other.soil_friction, fresh.soil_friction);
     const std::string theirs = FormOf(other.spring), ours = FormOf(fresh.spring);
     require(theirs == ours, "terms of the spring", theirs, ours);

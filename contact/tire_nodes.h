@@ -17,13 +17,18 @@ struct TireNodes {
   std::vector<Eigen::Vector3d> binormal_t;  // [-]  across the tread: normal x tangent
   std::vector<double> radius;               // [m]  of the circle that the node runs on
   std::vector<double> area;                 // [m^2]  unloaded
+  std::vector<double> length;               // [m]  along the circumference
+  std::vector<bool> on_lug;                 // else between lugs; empty without lugs
+  TireShape shape;                          // of the tire
+  int rings;                                // nodes across the tread; from right to left, in order
 
   std::size_t size() const { return area.size(); }
 };
 
 // Nodes at (theta, beta): radius r - r_beta (1 - cos beta), lateral r_beta sin beta, normal
 // cos(beta) radial + sin(beta) lateral. About `spacing` [m] > 0 apart; each stands for the exact
-// area around it.
+// area around it. Of a tire with lugs each stands on a lug or between two, and both kinds together
+// for the exact area of theirs.
 TireNodes MakeTireNodes(const TireShape& shape, double spacing);
 
 // Area [m^2] of a node of the circle radius [m] once it is pressed in by d [m] (section 4.3).

@@ -4,7 +4,8 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "contact/equilibrium.h"
+#include "contact/flank.h"
+#include "contact/tread_strength.h"
 #include "terrain/input_error.h"
 
 namespace softsoil {
@@ -19,19 +20,6 @@ void RequireUsable(const TirePose& pose) {
   if (pose.centre_w.cwiseAbs().maxCoeff() > kFarthest) {
     throw std::runtime_error("the wheel is more than " + Shown(kFarthest) + " m from the origin");
   }
-}
-
-// The part of the surface that a wheel can reach: its bounding box.
-void CopyFootprint(const TireShape& shape, const TirePose& pose, const Surface& surface,
-                   SurfacePatch* patch) {
-  const Vector3d axis = pose.frame_w.col(1);
-  const auto half_extent = [&](int k) {
-    return shape.radius * std::sqrt(std::max(0.0, 1 - axis[k] * axis[k])) +
-           shape.width / 2 * std::abs(axis[k]);
-  };
-  const Vector3d& c = pose.centre_w;
-  surface.CopyPatch(c.x() - half_extent(0), c.x() + half_extent(0), c.y() - half_extent(1),
-                    c.y() + half_extent(1), patch);
 }
 
 // Slope of the ground along the wheel radius, as the height lost per metre outward. On level
@@ -52,10 +40,28 @@ double ShearLead(double speed, double K) {
   return speed * kShearLead > kLongestLead * K ? kLongestLead * K / speed : kShearLead;
 }
 
+// How far [m] the soil has given way, along the radius of the wheel, where the lug tips have been
+// at a depth [m].
+double GivenWay(const PressedPoint& point, double depth) {
+  return std::max(0.0, (depth - point.depth) / point.deepening);
+}
+
 }  // namespace
 
 Wrench About(const Wrench& wrench, const Vector3d& at_w) {
   return {wrench.force_w, wrench.torque_w + (wrench.at_w - at_w).cross(wrench.force_w), at_w};
+}
+
+void CopyFootprint(const TireShape& shape, const TirePose& pose, const Surface& surface,
+                   double margin, SurfacePatch* patch) {
+  const Vector3d axis = pose.frame_w.col(1);
+  const auto half_extent = [&](int k) {
+    return shape.radius * std::sqrt(std::max(0.0, 1 - axis[k] * axis[k])) +
+           shape.width / 2 * std::abs(axis[k]) + margin;
+  };
+  const Vector3d& c = pose.centre_w;
+  surface.CopyPatch(c.x() - half_extent(0), c.x() + half_extent(0), c.y() - half_extent(1),
+                    c.y() + half_extent(1), patch);
 }
 
 WheelContact::WheelContact(const Tire& tire, double node_spacing)
@@ -63,34 +69,44 @@ WheelContact::WheelContact(const Tire& tire, double node_spacing)
   Reset();
 }
 
-void WheelContact::Reset() { mobilisation_.assign(nodes_.size(), {0, 0}); }
+void WheelContact::Reset() {
+  mobilisation_.assign(nodes_.size(), {0, 0});
+  deepest_.assign(nodes_.on_lug.size(), 0);
+}
 
 void WheelContact::Evaluate(const TirePose& pose, const Surface& surface, const Soil& soil,
                             double h, PatchForces* forces) const {
   RequireUsable(pose);
-  CopyFootprint(tire_.shape, pose, surface, &forces->patch);
+  CopyFootprint(tire_.shape, pose, surface, 0, &forces->patch);
   forces->wrench = Wrench{};
   forces->wrench.at_w = pose.centre_w;
   forces->contacts.clear();
   forces->surface.clear();
   const Vector3d up_t = pose.frame_w.row(2);
-  const PlateCurve curve = CurveUnder(soil.bearing, soil.unloading, tire_.shape.width);
+  const TreadCurve curve = CurveUnder(soil, tire_.shape);
   const double highest = forces->patch.highest() - pose.centre_w.z();
   for (std::size_t i = 0; i < nodes_.size(); ++i) {
     if (nodes_.position_t[i].dot(up_t) >= highest) continue;
     NodeContact contact;
     if (!Press(static_cast<int>(i), pose, forces->patch, curve, &contact)) continue;
-    Rub(pose, soil, h, &contact);
+    Mobilise(pose, h, soil.shear.modulus, &contact);
+    forces->contacts.push_back(contact);
+  }
+  FillStrength(tire_, nodes_, soil, &forces->contacts);
+  for (NodeContact& contact : forces->contacts) {
+    contact.slip_sinkage = SlipSinkageOf(contact, soil);
+    contact.shear_force_w = ShearForce(pose, soil.shear, contact);
+    contact.flank_force_w.setZero();
     const Vector3d force_w = contact.normal_force_w + contact.shear_force_w;
     forces->wrench.force_w += force_w;
     forces->wrench.torque_w += (contact.point_w - pose.centre_w).cross(force_w);
-    forces->contacts.push_back(contact);
     forces->surface.push_back({contact.point_w, -force_w, contact.slip_sinkage * contact.area});
   }
+  PushFlanks(nodes_, pose, surface, soil, forces);
 }
 
 bool WheelContact::Press(int i, const TirePose& pose, const SurfacePatch& patch,
-                         const PlateCurve& curve, NodeContact* contact) const {
+                         const TreadCurve& curve, NodeContact* contact) const {
   const Vector3d node_w = pose.centre_w + pose.frame_w * nodes_.position_t[i];
   const SurfacePoint ground = patch.At(node_w.x(), node_w.y());
   const double below = ground.height - node_w.z();
@@ -105,83 +121,107 @@ bool WheelContact::Press(int i, const TirePose& pose, const SurfacePatch& patch,
   point.release = 1;
   point.deepening =
       std::max(Descent(radial_w, ground.undisturbed_x, ground.undisturbed_y), kLeastDescent);
-  const PressedState state = Equilibrium(tire_.spring, curve, point);
-
   contact->node = i;
-  // Damped. Neither does soil pull nor does it bear more than its capacity.
-  const double most =
-      state.yields ? state.pressure : BearingPressure(curve.k_e, curve.n, state.depth);
-  contact->pressure =
-      std::clamp(state.pressure + tire_.damping * ClosingSpeed(pose, ground), 0.0, most);
-  contact->area = LoadedArea(nodes_.area[i], nodes_.radius[i], state.penetration);
-  contact->depth = state.depth + ground.slip_sinkage;
-  contact->point_w = node_w - state.penetration * radial_w;
+  double lifted = 0;  // [m]  off the ground below the tips
+  if (const Lugs& lugs = tire_.shape.lugs) {
+    const double deepest = deepest_[i] - ground.slip_sinkage;
+    const double given_way = GivenWay(point, std::min(deepest, point.depth + lugs.height));
+    lifted = std::max(0.0, given_way - point.penetration);
+    point.penetration = std::max(0.0, point.penetration - given_way);
+    point.depth += point.deepening * given_way;
+  }
+  const double penetration =
+      Balance(curve, point, tire_.damping * ClosingSpeed(pose, ground), contact);
+  contact->depth += ground.slip_sinkage;
+  contact->engaged = std::clamp(contact->depth, 0.0, tire_.shape.lugs.height) - lifted;
+  contact->area = LoadedArea(nodes_.area[i], nodes_.radius[i], penetration);
+  contact->point_w = node_w - penetration * radial_w;
   contact->normal_force_w =
       -contact->pressure * contact->area * (pose.frame_w * nodes_.normal_t[i]);
   return true;
 }
 
-void WheelContact::Rub(const TirePose& pose, const Soil& soil, double h,
-                       NodeContact* contact) const {
+double WheelContact::Balance(const TreadCurve& curve, const PressedPoint& point, double damping,
+                             NodeContact* contact) const {
+  const TreadState state = Equilibrium(tire_.spring, curve, point);
+  // Damped. Neither does soil pull nor does it bear more than its capacity.
+  const double most = state.yields ? state.pressure : BearingPressure(curve, state.depth);
+  contact->pressure = std::clamp(state.pressure + damping, 0.0, most);
+  contact->depth = state.depth;
+  contact->tread_pressure = contact->pressure;
+  if (tire_.shape.lugs && state.pressure > 0) {
+    contact->pressure *=
+        (nodes_.on_lug[contact->node] ? state.on_lugs : state.between_lugs) / state.pressure;
+  }
+  return state.penetration;
+}
+
+void WheelContact::Mobilise(const TirePose& pose, double h, double K, NodeContact* contact) const {
   const int i = contact->node;
-  const Vector3d tangent_w = pose.frame_w * nodes_.tangent_t[i];
-  const Vector3d binormal_w = pose.frame_w * nodes_.binormal_t[i];
   const Vector3d slip_w =
       pose.velocity_w + pose.angular_velocity_w.cross(contact->point_w - pose.centre_w);
-  const double v_t = slip_w.dot(tangent_w), v_b = slip_w.dot(binormal_w), K = soil.shear.modulus;
+  const double v_t = slip_w.dot(pose.frame_w * nodes_.tangent_t[i]);
+  const double v_b = slip_w.dot(pose.frame_w * nodes_.binormal_t[i]);
   contact->mobilisation = softsoil::Slip(mobilisation_[i], v_t, v_b, h, K);
   const double lead = ShearLead(std::hypot(v_t, v_b), K);
-  const Mobilisation damped = softsoil::Slip(contact->mobilisation, v_t, v_b, lead, K);
-  const double strength = ShearStrength(soil.shear, tire_.soil_friction, contact->pressure) *
-                          HumpFactor(soil.shear, damped.slip);
-  contact->slip_sinkage = contact->pressure > 0
-                              ? SlipSinkage(soil.slip_sinkage, strength / contact->pressure,
-                                            contact->mobilisation, h * std::hypot(v_t, v_b))
-                              : 0.0;
-  contact->shear_force_w =
-      -strength * contact->area * (damped.t * tangent_w + damped.b * binormal_w);
+  contact->mobilised = softsoil::Slip(contact->mobilisation, v_t, v_b, lead, K);
+}
+
+// By the strength of rubber on soil also between lugs: cohesion under no pressure would sink
+// without end.
+double WheelContact::SlipSinkageOf(const NodeContact& c, const Soil& soil) const {
+  if (c.tread_pressure <= 0) return 0;
+  const double strength = ShearStrength(soil.shear, tire_.soil_friction, c.tread_pressure);
+  const double way = c.mobilisation.slip - mobilisation_[c.node].slip;
+  return SlipSinkage(soil.slip_sinkage, strength / c.tread_pressure, c.mobilisation, way);
+}
+
+Vector3d WheelContact::ShearForce(const TirePose& pose, const Shear& soil,
+                                  const NodeContact& contact) const {
+  const Vector3d tangent_w = pose.frame_w * nodes_.tangent_t[contact.node];
+  const Vector3d binormal_w = pose.frame_w * nodes_.binormal_t[contact.node];
+  const Mobilisation& m = contact.mobilised;
+  const double strength = contact.strength * HumpFactor(soil, m.slip);
+  Vector3d force_w = -strength * contact.area * (m.t * tangent_w + m.b * binormal_w);
+  if (contact.side_strength > 0) force_w -= contact.side_strength * m.t * tangent_w;
+  return force_w;
 }
 
 void WheelContact::Commit(const PatchForces& forces) {
-  Reset();
+  mobilisation_.assign(nodes_.size(), {0, 0});
   for (const NodeContact& c : forces.contacts) mobilisation_[c.node] = c.mobilisation;
+  if (deepest_.empty()) return;
+  int next = 0;
+  for (const NodeContact& c : forces.contacts) {
+    std::fill(deepest_.begin() + next, deepest_.begin() + c.node, 0);
+    deepest_[c.node] = std::max(deepest_[c.node], c.depth);
+    next = c.node + 1;
+  }
+  std::fill(deepest_.begin() + next, deepest_.end(), 0);
 }
 
 SlipMemory WheelContact::Slip() const {
-  const auto has_slipped = [](const Mobilisation& m) {
-    return m.t != 0 || m.b != 0 || m.slip != 0;
+  const auto deepest = [this](std::size_t i) { return deepest_.empty() ? 0 : deepest_[i]; };
+  const auto remembers = [&](std::size_t i) {
+    const Mobilisation& m = mobilisation_[i];
+    return m.t != 0 || m.b != 0 || m.slip != 0 || deepest(i) != 0;
   };
   SlipMemory slip;
-  slip.reserve(std::count_if(mobilisation_.begin(), mobilisation_.end(), has_slipped));
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < mobilisation_.size(); ++i) count += remembers(i);
+  slip.reserve(count);
   for (std::size_t i = 0; i < mobilisation_.size(); ++i) {
-    if (has_slipped(mobilisation_[i])) slip.push_back({static_cast<int>(i), mobilisation_[i]});
+    if (remembers(i)) slip.push_back({static_cast<int>(i), mobilisation_[i], deepest(i)});
   }
   return slip;
 }
 
 void WheelContact::SetSlip(const SlipMemory& slip) {
   Reset();
-  for (const NodeSlip& s : slip) mobilisation_[s.node] = s.mobilisation;
-}
-
-void Write(const SlipMemory& slip, StateWriter& writer) {
-  writer.Put(static_cast<std::uint64_t>(slip.size()));
   for (const NodeSlip& s : slip) {
-    writer.Put(s.node);
-    writer.Put(s.mobilisation.t);
-    writer.Put(s.mobilisation.b);
-    writer.Put(s.mobilisation.slip);
+    mobilisation_[s.node] = s.mobilisation;
+    if (!deepest_.empty()) deepest_[s.node] = s.deepest;
   }
-}
-
-SlipMemory ReadSlipMemory(StateReader& reader, std::size_t nodes) {
-  SlipMemory slip(reader.Count(sizeof(int) + 3 * sizeof(double)));
-  for (NodeSlip& s : slip) {
-    s.node = reader.Get<int>();
-    reader.Require(s.node >= 0 && static_cast<std::size_t>(s.node) < nodes, "a node of a tire");
-    s.mobilisation = {reader.GetFinite(), reader.GetFinite(), reader.GetFinite()};
-  }
-  return slip;
 }
 
 }  // namespace softsoil

@@ -5,6 +5,8 @@
 #include <Eigen/Geometry>
 #include <vector>
 
+#include "contact/equilibrium.h"
+#include "contact/slip_memory.h"
 #include "contact/tire_nodes.h"
 #include "terrain/plate_curve.h"
 #include "terrain/shear.h"
@@ -39,10 +41,16 @@ struct NodeContact {
   Eigen::Vector3d point_w;         // [m]   of the deformed tire
   Eigen::Vector3d normal_force_w;  // [N]   on the wheel, from the pressure
   Eigen::Vector3d shear_force_w;   // [N]   on the wheel
+  Eigen::Vector3d flank_force_w;   // [N]   on the wheel, at the edges of its tread: flank.h
   double pressure, area;           // [Pa], [m^2]
   double depth;                    // [m]   below the undisturbed ground
   double slip_sinkage;             // [m]   of the soil in this step
   Mobilisation mobilisation;       // at the end of the step
+  Mobilisation mobilised;          // a moment later: of the strength
+  double tread_pressure;           // [Pa]  mean of lugs and gaps around; `pressure` without lugs
+  double engaged;                  // [m]   height of the soil that stands between the lugs
+  double strength;                 // [Pa]  largest shear stress
+  double side_strength;            // [N]   besides, on the side of the tread at its edges
 };
 
 // Answer of Evaluate(). Reused between calls, so that evaluating soon allocates nothing.
@@ -51,19 +59,12 @@ struct PatchForces {
   std::vector<NodeContact> contacts;  // in the order of the nodes
   std::vector<SurfaceForce> surface;  // on the ground, one per contact
   SurfacePatch patch;                 // the surface below the wheel
+  SurfacePatch beside;                // the same and around it; only where a flank pushes soil
 };
 
-// What a wheel remembers of its contact: the slip of every node on the ground. A node that is not
-// listed has not slipped.
-struct NodeSlip {
-  int node;  // of TireNodes
-  Mobilisation mobilisation;
-};
-using SlipMemory = std::vector<NodeSlip>;  // in the order of the nodes
-
-void Write(const SlipMemory& slip, StateWriter& writer);
-// Of a tire of `nodes` nodes. Throws InputError.
-SlipMemory ReadSlipMemory(StateReader& reader, std::size_t nodes);
+// Copies the part of the surface that a wheel can reach, its bounding box and a `margin` [m].
+void CopyFootprint(const TireShape& shape, const TirePose& pose, const Surface& surface,
+                   double margin, SurfacePatch* patch);
 
 // The shear stress is that of a moment later [s], as if the slip went on: a viscous share. Without
 // it a wheel that swings on a slope would go on swinging, and creep down. While driving it must
@@ -95,14 +96,22 @@ class WheelContact {
 
  private:
   // Normal contact of one node; false if it is above the ground.
-  bool Press(int node, const TirePose& pose, const SurfacePatch& patch, const PlateCurve& curve,
+  bool Press(int node, const TirePose& pose, const SurfacePatch& patch, const TreadCurve& curve,
              NodeContact* contact) const;
-  // Shear of a node that is pressed.
-  void Rub(const TirePose& pose, const Soil& soil, double h, NodeContact* contact) const;
+  // Pressure and depth of a node, with or without lugs; how far [m] it stays pressed in.
+  double Balance(const TreadCurve& curve, const PressedPoint& point, double damping,
+                 NodeContact* contact) const;
+  // Slip of a node that is pressed.
+  void Mobilise(const TirePose& pose, double h, double K, NodeContact* contact) const;
+  // [m]  in this step
+  double SlipSinkageOf(const NodeContact& contact, const Soil& soil) const;
+  Eigen::Vector3d ShearForce(const TirePose& pose, const Shear& soil,
+                             const NodeContact& contact) const;
 
   Tire tire_;
   TireNodes nodes_;
   std::vector<Mobilisation> mobilisation_;  // by node
+  std::vector<double> deepest_;             // [m]  by node, of the lug tips; empty without lugs
 };
 
 }  // namespace softsoil

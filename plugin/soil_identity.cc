@@ -69,6 +69,12 @@ void AddWheel(const Wheel& wheel, const Tire& tire, IdentityList* list) {
   list->Add(of, tire.name);
   list->AddEntry(of, TireAttributes(), tire);
   list->Add(of + " crown radius", tire.shape.crown_radius);
+  const Lugs& lugs = tire.shape.lugs;
+  list->Add(of + " height of lugs", lugs.height);
+  list->Add(of + " number of lugs", lugs.count);
+  list->Add(of + " angle of lugs", lugs.angle);
+  list->Add(of + " void share", lugs.void_share);
+  list->Add(of + " stagger of lugs", lugs.stagger);
   for (int k = 0; k < 3; ++k) {
     list->Add("centre of \"" + wheel.name + "\"", wheel.centre_b[k]);
     list->Add("axis of \"" + wheel.name + "\"", wheel.axis_b[k]);

@@ -22,12 +22,17 @@ struct Shear {
   double residual = 0;  // [-]  K_r of the humped form, 0 to 1
 };
 
+// Shear strength [Pa] of soil on soil under the pressure sigma [Pa].
+SOFTSOIL_HD inline double MohrCoulomb(const Shear& soil, double sigma) {
+  return soil.cohesion + sigma * std::tan(soil.friction_angle);
+}
+
 // Largest shear stress [Pa] that a surface of friction coefficient mu_s can pass to soil under
 // the pressure sigma [Pa]: Mohr-Coulomb in the soil or friction on the surface, whichever is less.
 // Algorithm 4.1.4 lines 4 and 5 (line 5 prints tau_max where tau_mc is meant).
 SOFTSOIL_HD inline double ShearStrength(const Shear& soil, double mu_s, double sigma) {
   if (sigma <= 0) return 0.0;
-  const double mohr_coulomb = soil.cohesion + sigma * std::tan(soil.friction_angle);
+  const double mohr_coulomb = MohrCoulomb(soil, sigma);
   const double friction = mu_s * sigma;
   return mohr_coulomb < friction ? mohr_coulomb : friction;
 }

@@ -200,6 +200,8 @@ double InitialDensity(const Soil& soil, double depth) {
   return density;
 }
 
+double UnitWeight(const Soil& soil) { return kGravity * InitialDensity(soil, 0); }
+
 Catalogue<Soil> SoilCatalogue() { return {"soil", ReadSoil}; }
 
 }  // namespace softsoil

@@ -49,6 +49,9 @@ constexpr double kHighestHeap = 1;
 // Density [kg/m^3] of the undisturbed soil at a depth [m].
 double InitialDensity(const Soil& soil, double depth);
 
+// Weight [N/m^3] of undisturbed soil at the surface.
+double UnitWeight(const Soil& soil);
+
 // Density [kg/m^3] at which the virgin curve has 100 Pa, the least that the catalogue takes.
 double LeastInitialDensity(const Compaction& soil);
 

@@ -12,7 +12,7 @@ struct Case {
   double k_e, n;
   PressedPoint point;
 
-  PressedState Solve() const { return Equilibrium(spring, {k_e, n, {}}, point); }
+  PressedState Solve() const { return Equilibrium(spring, PlateCurve{k_e, n, {}}, point); }
 
   // The two sides of the balance once the soil has given way by u [m].
   double TirePressure(double u) const {

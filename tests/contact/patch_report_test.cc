@@ -65,7 +65,7 @@ TEST(PatchReport, AddsUpToTheForceOnTheWheel) {
   Vector3d force = Vector3d::Zero();
   double most = 0;
   for (const PatchPoint& p : patch.Moving(1, 0.3, 0.3).Report()) {
-    force += p.normal_force_w + p.shear_force_w;
+    force += p.normal_force_w + p.shear_force_w + p.flank_force_w;
     const double shear = std::hypot(p.shear, p.shear_across) * p.area;
     EXPECT_NEAR(p.normal_force_w.norm(), p.pressure * p.area, 1e-9 * p.pressure * p.area);
     EXPECT_NEAR(p.shear_force_w.norm(), shear, 1e-9 * shear);

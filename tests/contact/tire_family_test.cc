@@ -139,6 +139,10 @@ TEST(TireFamily, HoldsTiresThatDifferInPressureOnly) {
             same + "width, 0.5 in \"one\", got 0.4");
   EXPECT_EQ(SecondRefused(Replaced(two, "0.65", "0.7")),
             same + "friction, 0.65 in \"one\", got 0.7");
+  const std::string lugs =
+      "<lugs height=\"0.04\" count=\"20\" void_share=\"0.7\" source=\"a\"/>\n<friction";
+  EXPECT_EQ(SecondRefused(Replaced(two, "<friction", lugs)),
+            same + "lugs, those in \"one\", got others");
   EXPECT_EQ(SecondRefused(Replaced(two, "linear=\"1e6\"", "linear=\"1e6\" root=\"1\"")),
             same + "terms of the spring, linear in \"one\", got linear, root");
   EXPECT_EQ(
