@@ -94,7 +94,7 @@ void WheelContact::Evaluate(const TirePose& pose, const Surface& surface, const 
   }
   FillStrength(tire_, nodes_, soil, &forces->contacts);
   for (NodeContact& contact : forces->contacts) {
-    contact.slip_sinkage = SlipSinkageOf(contact, soil);
+    contact.slip_sinkage = SlipSinkageOf(contact, curve, soil);
     contact.shear_force_w = ShearForce(pose, soil.shear, contact);
     contact.flank_force_w.setZero();
     const Vector3d force_w = contact.normal_force_w + contact.shear_force_w;
@@ -169,11 +169,13 @@ void WheelContact::Mobilise(const TirePose& pose, double h, double K, NodeContac
 
 // By the strength of rubber on soil also between lugs: cohesion under no pressure would sink
 // without end.
-double WheelContact::SlipSinkageOf(const NodeContact& c, const Soil& soil) const {
-  if (c.tread_pressure <= 0) return 0;
+double WheelContact::SlipSinkageOf(const NodeContact& c, const TreadCurve& curve,
+                                   const Soil& soil) const {
+  if (soil.slip_sinkage == 0 || c.tread_pressure <= 0) return 0;
   const double strength = ShearStrength(soil.shear, tire_.soil_friction, c.tread_pressure);
   const double way = c.mobilisation.slip - mobilisation_[c.node].slip;
-  return SlipSinkage(soil.slip_sinkage, strength / c.tread_pressure, c.mobilisation, way);
+  return SlipSinkage(soil.slip_sinkage, strength / BearingPressure(curve, c.depth), c.mobilisation,
+                     way);
 }
 
 Vector3d WheelContact::ShearForce(const TirePose& pose, const Shear& soil,

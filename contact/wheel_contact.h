@@ -104,7 +104,7 @@ class WheelContact {
   // Slip of a node that is pressed.
   void Mobilise(const TirePose& pose, double h, double K, NodeContact* contact) const;
   // [m]  in this step
-  double SlipSinkageOf(const NodeContact& contact, const Soil& soil) const;
+  double SlipSinkageOf(const NodeContact& contact, const TreadCurve& curve, const Soil& soil) const;
   Eigen::Vector3d ShearForce(const TirePose& pose, const Shear& soil,
                              const NodeContact& contact) const;
 

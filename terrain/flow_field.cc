@@ -87,7 +87,7 @@ void FlowField::Ask(const std::vector<int>& givers, double* left, std::vector<Re
   double there = 0;
   for (const int k : givers) there += nodes_[k].moved;
   for (const int k : givers) {
-    const double thickness = std::min(*left, there) * nodes_[k].moved / there;
+    const double thickness = *left * nodes_[k].moved / there;
     nodes_[k].asked += thickness;
     requests->push_back({left, k, thickness});
   }

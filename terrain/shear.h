@@ -60,14 +60,15 @@ SOFTSOIL_HD inline Mobilisation Slip(Mobilisation m, double v_t, double v_b, dou
           m.slip + h * speed};
 }
 
-// Slip sinkage [m] while a surface slips by `way` [m]: how much deeper soil must lie to bear the
-// same pressure as before, S (tau/sigma) dj. The stress ratio times the way is the shear work per
-// pressure; of the way that part counts which is plastic shear and does not go into mobilising the
-// soil. `strength_ratio` [-] is the shear strength per pressure.
+// Slip sinkage [m] while a surface slips by `way` [m]: S (tau/p) dj, how much deeper soil must lie
+// to bear the same as before. tau/p is `strength_ratio` [-], the shear strength per pressure that
+// undisturbed soil bears at this depth, so far as it is mobilised; of the way that part counts
+// which is plastic shear and does not go into mobilising the soil. So p dz is a share S of the
+// shear work: soil that has been pressed deep gives way less.
 //
-// In proportion to the way slipped and apart from the pressure, as plate tests show it nearly:
-// s = c_0 p^c_1 j^c_2, Muro and O'Brien (2004). Work, unlike a slip ratio, is also there where a
-// wheel spins on the spot or slides sideways.
+// In proportion to the way slipped and to tau, as plate tests show it nearly: s = c_0 p^c_1 j^c_2,
+// Muro and O'Brien (2004). Work, unlike a slip ratio, is also there where a wheel spins on the spot
+// or slides sideways.
 SOFTSOIL_HD inline double SlipSinkage(double S, double strength_ratio, const Mobilisation& m,
                                       double way) {
   return S * strength_ratio * (m.t * m.t + m.b * m.b) * way;

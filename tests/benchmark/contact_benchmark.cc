@@ -106,7 +106,7 @@ void BM_Equilibrium(benchmark::State& state) {
   PressedPoint point{0.1, state.range(0) * 1e-3, 1, 0.9};
   for (auto _ : state) {
     benchmark::DoNotOptimize(point);
-    benchmark::DoNotOptimize(Equilibrium(spring, {1.15e6, 0.85, {}}, point));
+    benchmark::DoNotOptimize(Equilibrium(spring, PlateCurve{1.15e6, 0.85, {}}, point));
   }
 }
 BENCHMARK(BM_Equilibrium)->ArgName("depth_mm")->Arg(0)->Arg(40)->Arg(200);

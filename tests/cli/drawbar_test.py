@@ -123,7 +123,9 @@ class CentreLine(Bin):
         self.assertGreater(angles[-1], -angles[0])  # it sinks in ahead, behind it leaves a rut
         self.assertAlmostEqual(max(point["pressure"] for point in points) / max(peak.values()), 1,
                                delta=0.05)
-        for point in points:
+        pressed = [point for point in points if point["pressure"] > 0]  # not on loose soil
+        self.assertGreater(len(pressed), 0.8 * len(points))
+        for point in pressed:
             self.assertGreater(point["shear"], 0)  # all of it drives at this slip
             self.assertLess(point["shear"], point["pressure"])
 

@@ -58,7 +58,7 @@ Balance Walk(const Tire& tire, const Soil& soil, SurfaceMode mode, const std::ve
 std::vector<Place> ThereAndBack(const Tire& tire, double depth, const Vector3d& excursion,
                                 double turn) {
   std::vector<Place> path;
-  constexpr int kSteps = 200;
+  constexpr int kSteps = 100;
   const double r = tire.shape.radius;
   for (int k = 0; k <= kSteps; ++k) {
     path.push_back({{0, 0, r + 0.01 - (depth + 0.01) * k / kSteps}, 0});

@@ -60,7 +60,8 @@ TEST(SlipSinkage, DigsInAWheelThatSlidesSideways) {
     SoilBin bin(Settings(slip_sinkage));
     bin.Drive(0.6, 0, 0);
     bin.pose().velocity_w.y() = 0.5;
-    return bin.Drive(0.4, 0.5, 0).sinkage;
+    bin.Drive(0.6, 0.5, 0);
+    return bin.Drive(0.2, 0.5, 0).sinkage;
   };
   EXPECT_GT(sinkage(0.3), sinkage(0) + 0.005);
 }
@@ -73,10 +74,11 @@ TEST(SlipSinkage, IsThereForTheNextWheel) {
     bin.Step();
     bin.PutDownAt(0.3);
     bin.Drive(0.2, 0, 0);
-    return bin.Drive(0.4, 1, slip).sinkage;
+    bin.Drive(0.5, 1, slip);
+    return bin.Drive(0.1, 1, slip).sinkage;
   };
   EXPECT_GT(second(0.5, 0), second(0, 0) + 0.01);
-  EXPECT_GT(second(0.5, 0.5), second(0.5, 0) + 0.005);
+  EXPECT_GT(second(0.5, 0.5), second(0.5, 0) + 0.003);
 }
 
 TEST(SlipSinkage, DoesNotDependOnTheTimeStep) {

@@ -84,10 +84,16 @@ std::string SaidOf(DrivenWheel& wheel, const Spoil& spoil) {
   return said;
 }
 
-// Nothing that is deformed is lost; it may have sunk further, or sprung back a little.
+// Nothing that is deformed is lost; a rut may have sunk further, and soil slides into it a little.
 void ExpectRuts(const Heights& ruts, const mjData* d) {
   const Heights now = HeightsOf(d);
-  for (const auto& [node, height] : ruts) EXPECT_LT(now.at(node), height + 0.002);
+  int deep = 0;
+  for (const auto& [node, height] : ruts) {
+    if (height > -0.02) continue;
+    EXPECT_LT(now.at(node), height / 2);
+    ++deep;
+  }
+  EXPECT_GT(deep, 5);
 }
 
 template <class Spoil>

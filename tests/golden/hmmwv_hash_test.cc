@@ -19,7 +19,7 @@
 namespace softsoil {
 namespace {
 
-constexpr std::uint64_t kGolden = 1291629027545721840u;
+constexpr std::uint64_t kGolden = 3922864679983183747u;
 
 constexpr char kScene[] = SOFTSOIL_SOURCE_DIR "/models/scenes/hmmwv_flat.xml";
 constexpr char kSettings[] = "soil_file=" SOFTSOIL_SOURCE_DIR

@@ -51,7 +51,7 @@ TEST(Slip, NeverMobilisesMoreThanTheStrength) {
   }
 }
 
-TEST(SlipSinkage, IsTheShearWorkPerPressure) {
+TEST(SlipSinkage, IsAShareOfTheShearWorkPerPressure) {
   EXPECT_DOUBLE_EQ(SlipSinkage(0.3, 0.5, {0.6, -0.8}, 0.02), 0.3 * 0.5 * 0.02);
   EXPECT_DOUBLE_EQ(SlipSinkage(0.3, 0.5, {0.3, 0.4}, 0.02), 0.3 * 0.5 * 0.02 / 4);
   EXPECT_EQ(SlipSinkage(0.3, 0.5, {0, 0}, 0.02), 0);
