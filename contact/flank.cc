@@ -37,23 +37,20 @@ void AddForce(int i, const Vector3d& force_w, const TirePose& pose, PatchForces*
 
 }  // namespace
 
-void PushFlanks(const TireNodes& nodes, const TirePose& pose, const Surface& surface,
-                const Soil& soil, PatchForces* forces) {
+void PushFlanks(const TireNodes& nodes, const TirePose& pose, const Soil& soil,
+                PatchForces* forces) {
   const Vector3d left_w = Left(pose);
   const double gamma = UnitWeight(soil);
-  bool is_copied = false;
+  const double spacing = forces->patch.spacing();
   ForEachRow(forces->contacts, nodes.rings, [&](const TreadRow& row) {
     const double share = Leftward(forces->contacts, row);
     const int edge = share > 0 ? row.left : row.right;
     if (std::abs(share) < kLeastShare || edge < 0) return;
-    if (!is_copied) CopyFootprint(nodes.shape, pose, surface, surface.spacing(), &forces->beside);
-    is_copied = true;
     const NodeContact& contact = forces->contacts[edge];
     const double to_the_edge = nodes.shape.width / 2 - std::abs(nodes.position_t[contact.node].y());
     const Vector3d beyond_w =
-        contact.point_w + std::copysign(to_the_edge + surface.spacing(), share) * left_w;
-    const double height =
-        forces->beside.At(beyond_w.x(), beyond_w.y()).height - contact.point_w.z();
+        contact.point_w + std::copysign(to_the_edge + spacing, share) * left_w;
+    const double height = forces->patch.At(beyond_w.x(), beyond_w.y()).height - contact.point_w.z();
     const double passive = nodes.length[contact.node] * PassiveForce(soil.shear, gamma, height);
     AddForce(edge, -share * passive * left_w, pose, forces);
   });

@@ -22,6 +22,19 @@ void RequireUsable(const TirePose& pose) {
   }
 }
 
+// The part of the surface that a wheel can reach, its bounding box, and one node around.
+void CopyFootprint(const TireShape& shape, const TirePose& pose, const Surface& surface,
+                   SurfacePatch* patch) {
+  const Vector3d axis = pose.frame_w.col(1);
+  const auto half_extent = [&](int k) {
+    return shape.radius * std::sqrt(std::max(0.0, 1 - axis[k] * axis[k])) +
+           shape.width / 2 * std::abs(axis[k]) + surface.spacing();
+  };
+  const Vector3d& c = pose.centre_w;
+  surface.CopyPatch(c.x() - half_extent(0), c.x() + half_extent(0), c.y() - half_extent(1),
+                    c.y() + half_extent(1), patch);
+}
+
 // Slope of the ground along the wheel radius, as the height lost per metre outward. On level
 // ground cos(kappa), kappa between the radius and the vertical.
 double Descent(const Vector3d& radial_w, double slope_x, double slope_y) {
@@ -52,18 +65,6 @@ Wrench About(const Wrench& wrench, const Vector3d& at_w) {
   return {wrench.force_w, wrench.torque_w + (wrench.at_w - at_w).cross(wrench.force_w), at_w};
 }
 
-void CopyFootprint(const TireShape& shape, const TirePose& pose, const Surface& surface,
-                   double margin, SurfacePatch* patch) {
-  const Vector3d axis = pose.frame_w.col(1);
-  const auto half_extent = [&](int k) {
-    return shape.radius * std::sqrt(std::max(0.0, 1 - axis[k] * axis[k])) +
-           shape.width / 2 * std::abs(axis[k]) + margin;
-  };
-  const Vector3d& c = pose.centre_w;
-  surface.CopyPatch(c.x() - half_extent(0), c.x() + half_extent(0), c.y() - half_extent(1),
-                    c.y() + half_extent(1), patch);
-}
-
 WheelContact::WheelContact(const Tire& tire, double node_spacing)
     : tire_(tire), nodes_(MakeTireNodes(tire.shape, node_spacing)) {
   Reset();
@@ -77,7 +78,7 @@ void WheelContact::Reset() {
 void WheelContact::Evaluate(const TirePose& pose, const Surface& surface, const Soil& soil,
                             double h, PatchForces* forces) const {
   RequireUsable(pose);
-  CopyFootprint(tire_.shape, pose, surface, 0, &forces->patch);
+  CopyFootprint(tire_.shape, pose, surface, &forces->patch);
   forces->wrench = Wrench{};
   forces->wrench.at_w = pose.centre_w;
   forces->contacts.clear();
@@ -102,7 +103,7 @@ void WheelContact::Evaluate(const TirePose& pose, const Surface& surface, const 
     forces->wrench.torque_w += (contact.point_w - pose.centre_w).cross(force_w);
     forces->surface.push_back({contact.point_w, -force_w, contact.slip_sinkage * contact.area});
   }
-  PushFlanks(nodes_, pose, surface, soil, forces);
+  PushFlanks(nodes_, pose, soil, forces);
 }
 
 bool WheelContact::Press(int i, const TirePose& pose, const SurfacePatch& patch,

@@ -58,13 +58,8 @@ struct PatchForces {
   Wrench wrench;                      // about the wheel centre
   std::vector<NodeContact> contacts;  // in the order of the nodes
   std::vector<SurfaceForce> surface;  // on the ground, one per contact
-  SurfacePatch patch;                 // the surface below the wheel
-  SurfacePatch beside;                // the same and around it; only where a flank pushes soil
+  SurfacePatch patch;                 // the surface below the wheel and one node around
 };
-
-// Copies the part of the surface that a wheel can reach, its bounding box and a `margin` [m].
-void CopyFootprint(const TireShape& shape, const TirePose& pose, const Surface& surface,
-                   double margin, SurfacePatch* patch);
 
 // The shear stress is that of a moment later [s], as if the slip went on: a viscous share. Without
 // it a wheel that swings on a slope would go on swinging, and creep down. While driving it must

@@ -12,6 +12,7 @@ using Eigen::Vector3d;
 
 constexpr double kSlowest = 0.01;  // [m/s]  below it slip is not asked for its direction
 
+// Below the tread, as far as the wheel reaches forward and back.
 double DeepestSurface(const TirePose& pose, const TireShape& shape, const SurfacePatch& patch) {
   const Vector3d axis = pose.frame_w.col(1);
   double deepest = 0;
@@ -19,8 +20,12 @@ double DeepestSurface(const TirePose& pose, const TireShape& shape, const Surfac
     for (int b = 0; b < patch.nodes_y(); ++b) {
       const Vector3d node_w((patch.first().i + a) * patch.spacing(),
                             (patch.first().j + b) * patch.spacing(), patch.Height(a, b));
-      const bool below_tread = std::abs((node_w - pose.centre_w).dot(axis)) <= shape.width / 2;
-      if (below_tread) deepest = std::max(deepest, patch.Sinkage(a, b));
+      const Vector3d from_centre = node_w - pose.centre_w;
+      const double lateral = from_centre.dot(axis);
+      const Vector3d along = from_centre - lateral * axis;
+      const bool is_below =
+          std::abs(lateral) <= shape.width / 2 && along.head<2>().norm() <= shape.radius;
+      if (is_below) deepest = std::max(deepest, patch.Sinkage(a, b));
     }
   }
   return deepest;

@@ -19,10 +19,14 @@ def numbers(path):
             for row in table(path)]
 
 
+def drawbar(out, *more, tire=TIRE, soil=SOIL, load=LOAD):
+    return softsoil("drawbar", "--tire", tire, "--soil", soil, "--load", load, "--out", out,
+                    *COARSE, *more)
+
+
 class Bin(InAFolder):
-    def drawbar(self, *more, tire=TIRE, soil=SOIL, load=LOAD, out=None):
-        return softsoil("drawbar", "--tire", tire, "--soil", soil, "--load", load, "--out",
-                        out or self.folder, *COARSE, *more)
+    def drawbar(self, *more, out=None, **given):
+        return drawbar(out or self.folder, *more, **given)
 
     def rows(self, *more, out=None, **given):
         done = self.drawbar(*more, out=out, **given)

@@ -42,8 +42,8 @@ class Patch:
         self.size = len(rows)
         if self.size == 0:
             return
-        row, angles = grouped(values["angle"], SAME_ANGLE)
         ring, laterals = grouped(values["lateral"], SAME_LATERAL)
+        row, angles = rows_across(values["angle"], ring)
         self.angle, self.lateral = angles, laterals / CM
         self.ahead = np.array([values["ahead"][row == k].mean() for k in range(len(angles))]) / CM
         shape = (len(angles), len(laterals))
@@ -67,6 +67,24 @@ def grouped(values, gap):
     number = np.empty(len(values), dtype=int)
     number[order] = np.concatenate([[0], np.cumsum(np.diff(values[order]) > gap)])
     return number, np.bincount(number, weights=values) / np.bincount(number)
+
+
+def rows_across(angle, ring):
+    """Number of the row across the tire that each node belongs to, and the mean angle of each row.
+
+    Lugs at an angle stagger the nodes from ring to ring: rows are then as far apart as the nodes
+    of a ring, and each node is in the nearest that is free."""
+    row, angles = grouped(angle, SAME_ANGLE)
+    widest = np.bincount(ring).max()
+    if len(angles) <= 2 * widest:
+        return row, angles
+    spacing = np.ptp(angle) / (widest - 1)
+    row = np.round((angle - angle.min()) / spacing).astype(int)
+    for k in range(ring.max() + 1):
+        own = np.flatnonzero(ring == k)
+        own = own[np.argsort(angle[own])]
+        row[own] = np.maximum.accumulate(row[own] - np.arange(len(own))) + np.arange(len(own))
+    return row, angle.min() + spacing * np.arange(row.max() + 1)
 
 
 def read_rows(path):
