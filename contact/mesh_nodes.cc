@@ -12,7 +12,8 @@ namespace {
 
 using Eigen::Vector3d;
 
-// [-]  of the spacing, from the first triangle of a node: as the corner of a square from its middle.
+// [-]  of the spacing, from the first triangle of a node: as the corner of a square from its
+// middle.
 constexpr double kReach = 0.7;
 
 struct Triangle {
@@ -43,18 +44,25 @@ bool IsSmall(const Triangle& triangle, double spacing) {
          triangle.AreaVector().norm() <= spacing * spacing;
 }
 
-void AddNode(const Vector3d& position, const Vector3d& normal, double area, MeshNodes* nodes) {
+// Unit vector along v [m], any across the y axis where v has no length to speak of.
+Vector3d Along(const Vector3d& v) { return v.norm() > 1e-9 ? v.normalized() : Vector3d::UnitX(); }
+
+void AddNode(const Vector3d& position, const Vector3d& normal, double area, TireNodes* nodes) {
+  const Vector3d in_plane(position.x(), 0, position.z());
+  const Vector3d across = normal.cross(Vector3d::UnitY());  // as along the circumference
   nodes->position_t.push_back(position);
+  nodes->radial_t.push_back(Along(in_plane));
   nodes->normal_t.push_back(normal);
-  nodes->tangent_t.push_back(normal.unitOrthogonal());
+  nodes->tangent_t.push_back(Along(across));
   nodes->binormal_t.push_back(normal.cross(nodes->tangent_t.back()));
+  nodes->radius.push_back(in_plane.norm());
   nodes->area.push_back(area);
   if (nodes->size() <= kMostNodes) return;
   throw InputError("the mesh must have at most " + std::to_string(kMostNodes) +
                    " nodes, got more: the grid spacing is too fine for its area");
 }
 
-void AddParts(const Triangle& triangle, double spacing, MeshNodes* nodes) {
+void AddParts(const Triangle& triangle, double spacing, TireNodes* nodes) {
   std::vector<Triangle> parts = {triangle};
   while (!parts.empty()) {
     const Triangle part = parts.back();
@@ -80,7 +88,7 @@ class Gatherer {
       : mesh_(mesh), spacing_(spacing), neighbours_(Neighbours(mesh)), is_taken_(is_taken) {}
 
   // The node that grows from a triangle, if it is not in another one.
-  void Grow(int first, MeshNodes* nodes) {
+  void Grow(int first, TireNodes* nodes) {
     if (is_taken_[first]) return;
     const Triangle seed = TriangleOf(mesh_, first);
     const Vector3d normal = seed.AreaVector().normalized(), centre = seed.Centroid();
@@ -117,8 +125,8 @@ class Gatherer {
 
 }  // namespace
 
-MeshNodes MakeMeshNodes(const TriangleMesh& mesh, double spacing) {
-  MeshNodes nodes;
+TireNodes MakeMeshNodes(const TriangleMesh& mesh, double spacing) {
+  TireNodes nodes;
   const int count = static_cast<int>(mesh.triangles.size());
   std::vector<bool> is_large(count);
   for (int t = 0; t < count; ++t) is_large[t] = !IsSmall(TriangleOf(mesh, t), spacing);

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "contact/equilibrium.h"
+
 namespace softsoil {
 namespace {
 
@@ -19,10 +21,10 @@ double LeftOf(const std::vector<Vector3d>& vertices, int from, int to, double x,
 }
 
 // The whole numbers in a range, cut off at 0 and `count` - 1.
-struct Range {
+struct NodeRange {
   int first, last;
 };
-Range Inside(double low, double high, int count) {
+NodeRange Inside(double low, double high, int count) {
   const double first = std::max(0.0, std::ceil(low)),
                last = std::min(count - 1.0, std::floor(high));
   if (!(first <= last)) return {0, -1};
@@ -72,7 +74,7 @@ void Underside::DrawTriangle(const std::array<int, 3>& corners) {
   const auto [low, high] = std::minmax({p.z(), q.z(), r.z()});
   const auto [x_low, x_high] = std::minmax({p.x(), q.x(), r.x()});
   const auto [y_low, y_high] = std::minmax({p.y(), q.y(), r.y()});
-  const Range x = Inside(x_low, x_high, nodes_x_), y = Inside(y_low, y_high, nodes_y_);
+  const NodeRange x = Inside(x_low, x_high, nodes_x_), y = Inside(y_low, y_high, nodes_y_);
   for (int a = x.first; a <= x.last; ++a) {
     for (int b = y.first; b <= y.last; ++b) {
       if (LeftOf(vertices_g_, i, j, a, b) > 0 || LeftOf(vertices_g_, j, k, a, b) > 0 ||
@@ -83,6 +85,25 @@ void Underside::DrawTriangle(const std::array<int, 3>& corners) {
       const double z = p.z() + slope_x * (a - p.x()) + slope_y * (b - p.y());
       double& lowest = lowest_[a * nodes_y_ + b];
       lowest = std::min(lowest, std::clamp(z, low, high));
+    }
+  }
+}
+
+void PlasticSinkageOfMesh(const Tire& tire, const TirePose& pose, const SurfacePatch& patch,
+                          const Soil& soil, std::vector<NodeSinkage>* sinkage) {
+  sinkage->clear();
+  const PlateCurve curve = CurveUnder(soil.bearing, soil.unloading, tire.shape.width);
+  Underside underside;
+  underside.Draw(*tire.mesh, {pose.centre_w, pose.frame_w}, patch);
+  for (int a = 0; a < patch.nodes_x(); ++a) {
+    for (int b = 0; b < patch.nodes_y(); ++b) {
+      const double below = patch.Height(a, b) - underside.At(a, b);
+      if (!(below > 0)) continue;
+      const PressedState state =
+          Equilibrium(tire.spring, curve, {below, patch.Sinkage(a, b), 1, 1});
+      if (!state.yields) continue;
+      const GridNode node{patch.first().i + a, patch.first().j + b};
+      sinkage->push_back({node, ResidualDepth(curve, state.depth)});
     }
   }
 }

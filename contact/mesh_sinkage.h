@@ -4,8 +4,7 @@
 #include <limits>
 #include <vector>
 
-#include "contact/triangle_mesh.h"
-#include "terrain/surface.h"
+#include "contact/wheel_contact.h"
 
 namespace softsoil {
 
@@ -42,5 +41,9 @@ class Underside {
 
   void DrawTriangle(const std::array<int, 3>& corners);
 };
+
+// PlasticSinkage() of a tire with a mesh: of its underside above each grid node.
+void PlasticSinkageOfMesh(const Tire& tire, const TirePose& pose, const SurfacePatch& patch,
+                          const Soil& soil, std::vector<NodeSinkage>* sinkage);
 
 }  // namespace softsoil

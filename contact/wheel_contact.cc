@@ -2,24 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 
 #include "contact/equilibrium.h"
-#include "terrain/input_error.h"
+#include "contact/node_laws.h"
 
 namespace softsoil {
 namespace {
 
 using Eigen::Vector3d;
-
-void RequireUsable(const TirePose& pose) {
-  const bool finite = pose.centre_w.allFinite() && pose.frame_w.allFinite() &&
-                      pose.velocity_w.allFinite() && pose.angular_velocity_w.allFinite();
-  if (!finite) throw std::runtime_error("the pose or velocity of the wheel is not finite");
-  if (pose.centre_w.cwiseAbs().maxCoeff() > kFarthest) {
-    throw std::runtime_error("the wheel is more than " + Shown(kFarthest) + " m from the origin");
-  }
-}
 
 // The part of the surface that a wheel can reach: its bounding box.
 void CopyFootprint(const TireShape& shape, const TirePose& pose, const Surface& surface,
@@ -32,24 +22,6 @@ void CopyFootprint(const TireShape& shape, const TirePose& pose, const Surface& 
   const Vector3d& c = pose.centre_w;
   surface.CopyPatch(c.x() - half_extent(0), c.x() + half_extent(0), c.y() - half_extent(1),
                     c.y() + half_extent(1), patch);
-}
-
-// Slope of the ground along the wheel radius, as the height lost per metre outward. On level
-// ground cos(kappa), kappa between the radius and the vertical.
-double Descent(const Vector3d& radial_w, double slope_x, double slope_y) {
-  return slope_x * radial_w.x() + slope_y * radial_w.y() - radial_w.z();
-}
-
-// Speed [m/s] at which the wheel as a whole nears the undisturbed ground. The same for all nodes: a
-// node that merely rolls through the contact is not damped, or damping would resist rolling.
-double ClosingSpeed(const TirePose& pose, const SurfacePoint& ground) {
-  return ground.undisturbed_x * pose.velocity_w.x() + ground.undisturbed_y * pose.velocity_w.y() -
-         pose.velocity_w.z();
-}
-
-// Time [s] that the shear stress looks ahead at a slip of `speed` [m/s].
-double ShearLead(double speed, double K) {
-  return speed * kShearLead > kLongestLead * K ? kLongestLead * K / speed : kShearLead;
 }
 
 }  // namespace
@@ -78,7 +50,7 @@ void WheelContact::Evaluate(const TirePose& pose, const Surface& surface, const 
   const double highest = forces->patch.highest() - pose.centre_w.z();
   for (std::size_t i = 0; i < nodes_.size(); ++i) {
     if (nodes_.position_t[i].dot(up_t) >= highest) continue;
-    NodeContact contact;
+    NodeContact contact{};
     if (!Press(static_cast<int>(i), pose, forces->patch, curve, &contact)) continue;
     Rub(pose, soil, h, &contact);
     const Vector3d force_w = contact.normal_force_w + contact.shear_force_w;
@@ -149,7 +121,7 @@ SlipMemory WheelContact::Slip() const {
   SlipMemory slip;
   slip.reserve(std::count_if(mobilisation_.begin(), mobilisation_.end(), has_slipped));
   for (std::size_t i = 0; i < mobilisation_.size(); ++i) {
-    if (has_slipped(mobilisation_[i])) slip.push_back({static_cast<int>(i), mobilisation_[i]});
+    if (has_slipped(mobilisation_[i])) slip.push_back({static_cast<int>(i), mobilisation_[i], 0});
   }
   return slip;
 }
@@ -166,15 +138,17 @@ void Write(const SlipMemory& slip, StateWriter& writer) {
     writer.Put(s.mobilisation.t);
     writer.Put(s.mobilisation.b);
     writer.Put(s.mobilisation.slip);
+    writer.Put(s.pushed);
   }
 }
 
 SlipMemory ReadSlipMemory(StateReader& reader, std::size_t nodes) {
-  SlipMemory slip(reader.Count(sizeof(int) + 3 * sizeof(double)));
+  SlipMemory slip(reader.Count(sizeof(int) + 4 * sizeof(double)));
   for (NodeSlip& s : slip) {
     s.node = reader.Get<int>();
     reader.Require(s.node >= 0 && static_cast<std::size_t>(s.node) < nodes, "a node of a tire");
     s.mobilisation = {reader.GetFinite(), reader.GetFinite(), reader.GetFinite()};
+    s.pushed = reader.GetFinite();
   }
   return slip;
 }

@@ -42,6 +42,7 @@ struct NodeContact {
   double pressure, area;           // [Pa], [m^2]
   double depth;                    // [m]   below the undisturbed ground
   Mobilisation mobilisation;       // at the end of the step
+  double pushed;                   // [-]   of the passive pressure mobilised; of meshes
 };
 
 // Answer of Evaluate(). Reused between calls, so that evaluating soon allocates nothing.
@@ -57,6 +58,7 @@ struct PatchForces {
 struct NodeSlip {
   int node;  // of TireNodes
   Mobilisation mobilisation;
+  double pushed = 0;  // [-]  share of the passive pressure that is mobilised; of meshes
 };
 using SlipMemory = std::vector<NodeSlip>;  // in the order of the nodes
 

@@ -15,7 +15,7 @@ using Eigen::Vector3d;
 
 const GrouserWheel kWheel = {0.15, 0.1, 0.015, 0.004, 12, 5};
 
-double TotalArea(const MeshNodes& nodes) {
+double TotalArea(const TireNodes& nodes) {
   return std::accumulate(nodes.area.begin(), nodes.area.end(), 0.0);
 }
 
@@ -31,7 +31,7 @@ TEST(MeshNodes, CoverTheMeshExactlyAtAnySpacing) {
 // Under one pressure all around a closed shape does not move.
 TEST(MeshNodes, BalanceOneFlatFaceAgainstTheOther) {
   for (const TriangleMesh& mesh : {BoxMesh(0.3, 0.2, 0.01), kWheel.Mesh()}) {
-    const MeshNodes nodes = MakeMeshNodes(mesh, 0.02);
+    const TireNodes nodes = MakeMeshNodes(mesh, 0.02);
     Vector3d force = Vector3d::Zero(), torque = Vector3d::Zero();
     double volume = 0;
     for (std::size_t i = 0; i < nodes.size(); ++i) {
@@ -46,7 +46,7 @@ TEST(MeshNodes, BalanceOneFlatFaceAgainstTheOther) {
 }
 
 TEST(MeshNodes, HaveRightAngledUnitFrames) {
-  const MeshNodes nodes = MakeMeshNodes(SphereMesh(0.3, 40, 80), 0.03);
+  const TireNodes nodes = MakeMeshNodes(SphereMesh(0.3, 40, 80), 0.03);
   ASSERT_GT(nodes.size(), 500u);
   for (std::size_t i = 0; i < nodes.size(); ++i) {
     Eigen::Matrix3d frame;
@@ -58,7 +58,7 @@ TEST(MeshNodes, HaveRightAngledUnitFrames) {
 
 TEST(MeshNodes, HaveTheOutwardNormalOfASphere) {
   for (double spacing : {0.1, 0.02}) {  // gathered, and halved
-    const MeshNodes nodes = MakeMeshNodes(SphereMesh(0.3, 20, 40), spacing);
+    const TireNodes nodes = MakeMeshNodes(SphereMesh(0.3, 20, 40), spacing);
     for (std::size_t i = 0; i < nodes.size(); ++i) {
       EXPECT_GT(nodes.normal_t[i].dot(nodes.position_t[i].normalized()), 0.99);
       EXPECT_NEAR(nodes.position_t[i].norm(), 0.3, 0.006);
@@ -68,7 +68,7 @@ TEST(MeshNodes, HaveTheOutwardNormalOfASphere) {
 
 TEST(MeshNodes, StandOnTheFacesOfABoxWithTheirNormals) {
   const Vector3d half(0.15, 0.1, 0.005);
-  const MeshNodes nodes = MakeMeshNodes(BoxMesh(0.3, 0.2, 0.01), 0.025);
+  const TireNodes nodes = MakeMeshNodes(BoxMesh(0.3, 0.2, 0.01), 0.025);
   Eigen::Matrix<double, 3, 2> area = Eigen::Matrix<double, 3, 2>::Zero();
   for (std::size_t i = 0; i < nodes.size(); ++i) {
     Eigen::Index axis = 0;
@@ -95,7 +95,7 @@ TEST(MeshNodes, StandAboutTheirSpacingApart) {
 
 // Nodes far apart still know the tip, the flanks and the foot of a grouser.
 TEST(MeshNodes, StandOnEveryFaceOfAGrouser) {
-  const MeshNodes nodes = MakeMeshNodes(kWheel.Mesh(), 0.05);
+  const TireNodes nodes = MakeMeshNodes(kWheel.Mesh(), 0.05);
   double tip = 0, ahead = 0, behind = 0;  // area at the uppermost grouser
   for (std::size_t i = 0; i < nodes.size(); ++i) {
     const Vector3d &p = nodes.position_t[i], &n = nodes.normal_t[i];
