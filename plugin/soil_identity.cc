@@ -67,6 +67,8 @@ void AddWheel(const Wheel& wheel, const Tire& tire, IdentityList* list) {
   list->Add(of, tire.name);
   list->AddEntry(of, TireAttributes(), tire);
   list->Add(of + " crown radius", tire.shape.crown_radius);
+  list->Add(of + " volume of the mesh", tire.mesh != nullptr ? Volume(*tire.mesh) : 0);
+  list->Add(of + " area of the mesh", tire.mesh != nullptr ? Area(*tire.mesh) : 0);
   for (int k = 0; k < 3; ++k) {
     list->Add("centre of \"" + wheel.name + "\"", wheel.centre_b[k]);
     list->Add("axis of \"" + wheel.name + "\"", wheel.axis_b[k]);
