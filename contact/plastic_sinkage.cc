@@ -2,9 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
-
-#include "contact/equilibrium.h"
 
 namespace softsoil {
 namespace {
@@ -33,25 +30,29 @@ bool IsBelowLug(const TireShape& shape, const TirePose& pose, const Eigen::Vecto
   return IsLug(shape.lugs, shape.radius, std::atan2(place_t.x(), -place_t.z()), place_t.y());
 }
 
-// Depth [m] that stays where the soil gives way below the lugs or between them. Between them it
-// does not before the tips are lower than the ground by the height of the lugs.
-std::optional<double> LeftBehind(const Tire& tire, const TreadCurve& curve, PressedPoint point,
-                                 bool below_lug) {
+// Below a lug, or between two: there the soil does not give way before the tips are lower than the
+// ground by the height of the lugs.
+std::optional<double> LeftBehindLug(const Tire& tire, const TreadCurve& curve, PressedPoint point,
+                                    bool below_lug) {
   const double raised = below_lug ? 0 : curve.height;  // [m]  what presses, above the tips
   point.penetration -= point.release * raised / point.deepening;
   if (point.penetration <= 0) return std::nullopt;
   point.depth += raised;
-  const PressedState state = Equilibrium(tire.spring, curve, point);
-  if (!state.yields && point.loose <= 0) return std::nullopt;
-  // Loose soil does not spring back.
-  const double depth = state.depth - raised;
-  const double through = std::min(depth, point.depth + point.loose - raised);
-  if (!state.yields) return through;
-  const PlateCurve& plate = below_lug ? curve.below_lugs : curve.between_lugs;
-  return std::max(ResidualDepth(plate, depth), through);
+  PressedState state = Equilibrium(tire.spring, curve, point);
+  state.depth -= raised;
+  point.depth -= raised;
+  return LeftBehind(below_lug ? curve.below_lugs : curve.between_lugs, state, point);
 }
 
 }  // namespace
+
+std::optional<double> LeftBehind(const PlateCurve& curve, const PressedState& state,
+                                 const PressedPoint& point) {
+  if (!state.yields && point.loose <= 0) return std::nullopt;
+  // Loose soil does not spring back.
+  const double through = std::min(state.depth, point.depth + point.loose);
+  return state.yields ? std::max(ResidualDepth(curve, state.depth), through) : through;
+}
 
 void PlasticSinkage(const Tire& tire, const TirePose& pose, const SurfacePatch& patch,
                     const Soil& soil, std::vector<NodeSinkage>* sinkage) {
@@ -66,7 +67,7 @@ void PlasticSinkage(const Tire& tire, const TirePose& pose, const SurfacePatch& 
       const double by_slip = patch.SlipSinkage(a, b), depth = patch.Sinkage(a, b) - by_slip;
       if (!PointBelow(tire.shape, pose, ground_w, depth, &point)) continue;
       point.loose = patch.Loose(a, b);
-      const auto left = LeftBehind(tire, curve, point, IsBelowLug(tire.shape, pose, ground_w));
+      const auto left = LeftBehindLug(tire, curve, point, IsBelowLug(tire.shape, pose, ground_w));
       if (left) sinkage->push_back({node, by_slip + *left});
     }
   }

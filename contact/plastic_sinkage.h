@@ -1,8 +1,10 @@
 // The bearing sinkage that a wheel leaves in the ground.
 #pragma once
 
+#include <optional>
 #include <vector>
 
+#include "contact/equilibrium.h"
 #include "contact/wheel_contact.h"
 
 namespace softsoil {
@@ -15,5 +17,9 @@ namespace softsoil {
 // resistance would disappear.
 void PlasticSinkage(const Tire& tire, const TirePose& pose, const SurfacePatch& patch,
                     const Soil& soil, std::vector<NodeSinkage>* sinkage);
+
+// Depth [m] that stays of a point in its balance; nothing where the soil does not give way.
+std::optional<double> LeftBehind(const PlateCurve& curve, const PressedState& state,
+                                 const PressedPoint& point);
 
 }  // namespace softsoil

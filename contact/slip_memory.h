@@ -8,12 +8,14 @@
 
 namespace softsoil {
 
-// One node on the ground: the shear that its slip has mobilised and, of a tire with lugs, how deep
-// the tips of the lugs have been around it since the contact began.
+// One node on the ground: the shear that its slip has mobilised; of a tire with lugs, how deep the
+// tips of the lugs have been around it since the contact began; of a mesh, the share of the passive
+// pressure that its way into the soil has mobilised.
 struct NodeSlip {
   int node;  // of TireNodes
   Mobilisation mobilisation;
   double deepest = 0;  // [m]  below the undisturbed ground, 0 without lugs
+  double pushed = 0;   // [-]  0 without a mesh
 };
 // In the order of the nodes. A node that is not listed has nothing to remember.
 using SlipMemory = std::vector<NodeSlip>;

@@ -1,5 +1,6 @@
 #include "contact/soft_wheels.h"
 
+#include "contact/mesh_sinkage.h"
 #include "contact/plastic_sinkage.h"
 
 namespace softsoil {
@@ -9,11 +10,30 @@ SoftWheels::SoftWheels(const Soil& soil, const GroundSettings& settings,
     : undisturbed_(soil, settings, std::move(undisturbed), static_cast<int>(tires.size())),
       ground_(undisturbed_),
       plastic_(tires.size()) {
-  for (const Tire& tire : tires) wheels_.emplace_back(tire, settings.grid_spacing);
+  for (const Tire& tire : tires) wheels_.push_back(ContactOf(tire, settings.grid_spacing));
+}
+
+SoftWheels::Contact SoftWheels::ContactOf(const Tire& tire, double spacing) {
+  if (tire.mesh != nullptr) return MeshContact(tire, spacing);
+  return WheelContact(tire, spacing);
+}
+
+const Tire& SoftWheels::tire(int wheel) const {
+  return std::visit([](const auto& contact) -> const Tire& { return contact.tire(); },
+                    wheels_[wheel]);
+}
+
+const TireNodes& SoftWheels::nodes(int wheel) const {
+  return std::visit([](const auto& contact) -> const TireNodes& { return contact.nodes(); },
+                    wheels_[wheel]);
 }
 
 void SoftWheels::Evaluate(int wheel, const TirePose& pose, double h, PatchForces* forces) const {
-  wheels_[wheel].Evaluate(pose, ground_.surface(), ground_.soil(), h, forces);
+  std::visit(
+      [&](const auto& contact) {
+        contact.Evaluate(pose, ground_.surface(), ground_.soil(), h, forces);
+      },
+      wheels_[wheel]);
 }
 
 void SoftWheels::Commit(const std::vector<TirePose>& poses, const std::vector<PatchForces>& forces,
@@ -21,15 +41,15 @@ void SoftWheels::Commit(const std::vector<TirePose>& poses, const std::vector<Pa
   // All that may fail comes first.
   for (int wheel = 0; wheel < size(); ++wheel) {
     if (ground_.settings().mode == SurfaceMode::kFlow) {
-      PlasticSinkage(tire(wheel), poses[wheel], forces[wheel].patch, ground_.soil(),
-                     &plastic_[wheel]);
+      const auto sink = tire(wheel).mesh != nullptr ? PlasticSinkageOfMesh : PlasticSinkage;
+      sink(tire(wheel), poses[wheel], forces[wheel].patch, ground_.soil(), &plastic_[wheel]);
     }
     ground_.Reserve(wheel, forces[wheel].surface, plastic_[wheel]);
   }
 
   slip_ = nullptr;
   for (int wheel = 0; wheel < size(); ++wheel) {
-    wheels_[wheel].Commit(forces[wheel]);
+    std::visit([&](auto& contact) { contact.Commit(forces[wheel]); }, wheels_[wheel]);
     ground_.AddLoad(wheel, forces[wheel].surface, h);
     ground_.DeepenPlastic(wheel, plastic_[wheel]);
   }
@@ -43,7 +63,9 @@ void SoftWheels::ShareSlip() { slip_ = Slip(); }
 std::shared_ptr<const std::vector<SlipMemory>> SoftWheels::Slip() const {
   if (slip_ != nullptr) return slip_;
   auto slip = std::make_shared<std::vector<SlipMemory>>();
-  for (const WheelContact& wheel : wheels_) slip->push_back(wheel.Slip());
+  for (const Contact& wheel : wheels_) {
+    slip->push_back(std::visit([](const auto& contact) { return contact.Slip(); }, wheel));
+  }
   return slip;
 }
 
@@ -53,7 +75,9 @@ SoftWheelsState SoftWheels::Undisturbed() const {
 
 void SoftWheels::SetState(SoftWheelsState state) {
   ground_ = std::move(state.ground);
-  for (std::size_t i = 0; i < wheels_.size(); ++i) wheels_[i].SetSlip((*state.slip)[i]);
+  for (std::size_t i = 0; i < wheels_.size(); ++i) {
+    std::visit([&](auto& contact) { contact.SetSlip((*state.slip)[i]); }, wheels_[i]);
+  }
   slip_ = std::move(state.slip);
 }
 
@@ -61,8 +85,8 @@ SoftWheelsState SoftWheels::ReadState(StateReader& reader) const {
   SoftWheelsState state = Undisturbed();
   state.ground.Read(reader);
   std::vector<SlipMemory> slip;
-  for (const WheelContact& wheel : wheels_) {
-    slip.push_back(ReadSlipMemory(reader, wheel.nodes().size()));
+  for (int wheel = 0; wheel < size(); ++wheel) {
+    slip.push_back(ReadSlipMemory(reader, nodes(wheel).size()));
   }
   state.slip = std::make_shared<std::vector<SlipMemory>>(std::move(slip));
   return state;
@@ -74,7 +98,9 @@ void Write(const SoftWheelsState& state, StateWriter& writer) {
 }
 
 void SoftWheels::ForgetSlip() {
-  for (WheelContact& wheel : wheels_) wheel.Reset();
+  for (Contact& wheel : wheels_) {
+    std::visit([](auto& contact) { contact.Reset(); }, wheel);
+  }
   slip_ = nullptr;
 }
 

@@ -2,8 +2,10 @@
 #pragma once
 
 #include <memory>
+#include <variant>
 #include <vector>
 
+#include "contact/mesh_contact.h"
 #include "contact/wheel_contact.h"
 #include "contact/wheel_report.h"
 #include "terrain/ground.h"
@@ -23,8 +25,8 @@ class SoftWheels {
              const std::vector<Tire>& tires);
 
   int size() const { return static_cast<int>(wheels_.size()); }
-  const Tire& tire(int wheel) const { return wheels_[wheel].tire(); }
-  const TireNodes& nodes(int wheel) const { return wheels_[wheel].nodes(); }
+  const Tire& tire(int wheel) const;
+  const TireNodes& nodes(int wheel) const;
   Ground& ground() { return ground_; }
   const Ground& ground() const { return ground_; }
 
@@ -48,11 +50,14 @@ class SoftWheels {
   void ForgetSlip();
 
  private:
+  using Contact = std::variant<WheelContact, MeshContact>;
+  static Contact ContactOf(const Tire& tire, double spacing);
+
   std::shared_ptr<const std::vector<SlipMemory>> Slip() const;
 
   Ground undisturbed_;  // as just made
   Ground ground_;
-  std::vector<WheelContact> wheels_;
+  std::vector<Contact> wheels_;
   std::shared_ptr<const std::vector<SlipMemory>> slip_;  // theirs, if shared; else null
   std::vector<std::vector<NodeSinkage>> plastic_;        // scratch, by wheel
 };

@@ -1,11 +1,13 @@
 // A tire: an elastic surface of revolution that rubs on soil.
 #pragma once
 
+#include <memory>
 #include <string>
 #include <vector>
 
 #include "contact/lugs.h"
 #include "contact/tire_spring.h"
+#include "contact/triangle_mesh.h"
 #include "terrain/xml_catalogue.h"
 
 namespace softsoil {
@@ -29,6 +31,8 @@ struct Tire {
   double soil_friction;  // [-]  mu_s between tire and soil, > 0
   std::string family;    // one tire at several inflation pressures; empty: not known
   double inflation_pressure = 0;  // [Pa]  above the atmosphere's; > 0 in a family
+  // Surface in the tire frame, if it is not that of the shape, which then bounds it; or null.
+  std::shared_ptr<const TriangleMesh> mesh = nullptr;
 };
 
 // What is wrong with a shape, as a rule and the value; empty if nothing is.

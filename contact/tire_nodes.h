@@ -20,7 +20,7 @@ struct TireNodes {
   std::vector<double> length;               // [m]  along the circumference
   std::vector<bool> on_lug;                 // else between lugs; empty without lugs
   TireShape shape;                          // of the tire
-  int rings;                                // nodes across the tread; from right to left, in order
+  int rings = 0;                            // nodes across the tread; from right to left, in order
 
   std::size_t size() const { return area.size(); }
 };

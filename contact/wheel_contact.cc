@@ -2,25 +2,15 @@
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 
 #include "contact/flank.h"
+#include "contact/node_laws.h"
 #include "contact/tread_strength.h"
-#include "terrain/input_error.h"
 
 namespace softsoil {
 namespace {
 
 using Eigen::Vector3d;
-
-void RequireUsable(const TirePose& pose) {
-  const bool finite = pose.centre_w.allFinite() && pose.frame_w.allFinite() &&
-                      pose.velocity_w.allFinite() && pose.angular_velocity_w.allFinite();
-  if (!finite) throw std::runtime_error("the pose or velocity of the wheel is not finite");
-  if (pose.centre_w.cwiseAbs().maxCoeff() > kFarthest) {
-    throw std::runtime_error("the wheel is more than " + Shown(kFarthest) + " m from the origin");
-  }
-}
 
 // The part of the surface that a wheel can reach, its bounding box, and one node around.
 void CopyFootprint(const TireShape& shape, const TirePose& pose, const Surface& surface,
@@ -33,24 +23,6 @@ void CopyFootprint(const TireShape& shape, const TirePose& pose, const Surface& 
   const Vector3d& c = pose.centre_w;
   surface.CopyPatch(c.x() - half_extent(0), c.x() + half_extent(0), c.y() - half_extent(1),
                     c.y() + half_extent(1), patch);
-}
-
-// Slope of the ground along the wheel radius, as the height lost per metre outward. On level
-// ground cos(kappa), kappa between the radius and the vertical.
-double Descent(const Vector3d& radial_w, double slope_x, double slope_y) {
-  return slope_x * radial_w.x() + slope_y * radial_w.y() - radial_w.z();
-}
-
-// Speed [m/s] at which the wheel as a whole nears the undisturbed ground. The same for all nodes: a
-// node that merely rolls through the contact is not damped, or damping would resist rolling.
-double ClosingSpeed(const TirePose& pose, const SurfacePoint& ground) {
-  return ground.undisturbed_x * pose.velocity_w.x() + ground.undisturbed_y * pose.velocity_w.y() -
-         pose.velocity_w.z();
-}
-
-// Time [s] that the shear stress looks ahead at a slip of `speed` [m/s].
-double ShearLead(double speed, double K) {
-  return speed * kShearLead > kLongestLead * K ? kLongestLead * K / speed : kShearLead;
 }
 
 // How far [m] the soil has given way, along the radius of the wheel, where the lug tips have been
@@ -88,7 +60,7 @@ void WheelContact::Evaluate(const TirePose& pose, const Surface& surface, const 
   const double highest = forces->patch.highest() - pose.centre_w.z();
   for (std::size_t i = 0; i < nodes_.size(); ++i) {
     if (nodes_.position_t[i].dot(up_t) >= highest) continue;
-    NodeContact contact;
+    NodeContact contact{};
     if (!Press(static_cast<int>(i), pose, forces->patch, curve, &contact)) continue;
     Mobilise(pose, h, soil.shear.modulus, &contact);
     forces->contacts.push_back(contact);

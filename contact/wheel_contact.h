@@ -51,6 +51,7 @@ struct NodeContact {
   double engaged;                  // [m]   height of the soil that stands between the lugs
   double strength;                 // [Pa]  largest shear stress
   double side_strength;            // [N]   besides, on the side of the tread at its edges
+  double pushed;                   // [-]   of the passive pressure mobilised; of meshes
 };
 
 // Answer of Evaluate(). Reused between calls, so that evaluating soon allocates nothing.

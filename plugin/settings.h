@@ -37,6 +37,7 @@ struct Settings {
   NurbsBumps bumps;    // on that plane
   TireNames tires;
   std::vector<std::string> wheels;                  // names of bodies; empty: find them
+  std::vector<std::string> shapes;                  // names of geoms that press with their surface
   std::vector<std::string> soil_files, tire_files;  // catalogues besides ours
   bool remove_rigid_contact = false;                // else warn of it
   GroundSettings terrain;

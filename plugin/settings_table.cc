@@ -113,6 +113,10 @@ const std::vector<Setting>& SettingTable() {
        [](Settings& s, const V& v) { s.bumps = ParseBumps(v.text); }},
       {"wheels", kBodies, kNoLimits, "", "found by their geoms and hinges", "bodies with a tire",
        [](Settings& s, const V& v) { s.wheels = v.names; }},
+      {"shapes", kText, kNoLimits, "", "none",
+       "geoms, meshes or boxes, that meet the soil with their own surface: in place of a wheel's "
+       "tire, rigid unless that is named, or as plate, blade or belly",
+       [](Settings& s, const V& v) { s.shapes = Entries(v.text); }},
       {"mode", kText, kNoLimits, "", "flow",
        "how the surface sinks: flow, or compaction alone as in the thesis",
        [](Settings& s, const V& v) {

@@ -4,6 +4,7 @@
 
 #include "contact/tire.h"
 #include "terrain/input_error.h"
+#include "terrain/state_stream.h"
 
 namespace softsoil {
 namespace {
@@ -64,6 +65,15 @@ void AddGround(const SoilPlan& plan, IdentityList* list) {
   }
 }
 
+std::string ContentOf(const TriangleMesh& mesh) {
+  StateWriter writer;
+  for (const Eigen::Vector3d& vertex : mesh.vertices) writer.PutBytes(vertex.data(), sizeof vertex);
+  for (const std::array<int, 3>& corners : mesh.triangles) {
+    writer.PutBytes(corners.data(), sizeof corners);
+  }
+  return std::to_string(writer.Finish());
+}
+
 void AddWheel(const Wheel& wheel, const Tire& tire, IdentityList* list) {
   const std::string of = "tire of \"" + wheel.name + "\"";
   list->Add(of, tire.name);
@@ -75,6 +85,7 @@ void AddWheel(const Wheel& wheel, const Tire& tire, IdentityList* list) {
   list->Add(of + " angle of lugs", lugs.angle);
   list->Add(of + " void share", lugs.void_share);
   list->Add(of + " stagger of lugs", lugs.stagger);
+  list->Add(of + " mesh", tire.mesh != nullptr ? ContentOf(*tire.mesh) : "none");
   for (int k = 0; k < 3; ++k) {
     list->Add("centre of \"" + wheel.name + "\"", wheel.centre_b[k]);
     list->Add("axis of \"" + wheel.name + "\"", wheel.axis_b[k]);

@@ -11,6 +11,7 @@
 #include "plugin/log.h"
 #include "plugin/models_folder.h"
 #include "plugin/rigid_contact.h"
+#include "plugin/shapes.h"
 #include "plugin/time_step.h"
 #include "plugin/tire_choice.h"
 #include "terrain/input_error.h"
@@ -57,6 +58,7 @@ void WarnOfTimeStep(const mjModel* m, const SoilPlan& plan) {
   double longest = std::numeric_limits<double>::infinity();
   std::string wheel;
   for (std::size_t i = 0; i < plan.wheels.size(); ++i) {
+    if (plan.wheels[i].joint < 0 || plan.tires[i].name == kRigidTire) continue;
     const double load = StaticLoad(m, plan.wheels, plan.wheels[i]);
     const double allowed = LongestStep(m, plan.wheels[i], plan.tires[i], plan.soil, load);
     if (allowed >= longest) continue;
@@ -118,7 +120,8 @@ SoilPlan MakePlan(const mjModel* m, const Settings& settings) {
   plan.ground = FindGroundPlane(m, settings.ground);
   plan.bumps = settings.bumps;
   plan.ground.height = WithBumps(plan.ground.height, plan.bumps);
-  plan.wheels = FindWheels(m, settings.wheels);
+  plan.wheels = FindWheels(m, settings.wheels, settings.shapes.empty());
+  AddShapes(m, settings.shapes, &plan.wheels);
   plan.tires = ChooseTires(m, plan.wheels, settings);
   plan.is_wheels = GeomsOfWheels(m, plan.wheels);
   plan.remove_rigid_contact = settings.remove_rigid_contact;

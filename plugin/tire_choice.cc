@@ -9,6 +9,7 @@
 #include "contact/tire_family.h"
 #include "plugin/log.h"
 #include "plugin/models_folder.h"
+#include "plugin/shapes.h"
 #include "terrain/constants.h"
 #include "terrain/input_error.h"
 
@@ -67,6 +68,7 @@ void RequireBodiesAreWheels(const TireNames& names, const std::vector<Wheel>& wh
 }
 
 Tire MakeAutoTire(const mjModel* m, const std::vector<Wheel>& wheels, const Wheel& wheel) {
+  if (wheel.mesh != nullptr) return RigidTire(m, wheel);
   if (wheel.outline == WheelOutline::kUnknown) {
     throw InputError("softsoil_tire: wheel \"" + wheel.name +
                      "\" has no round geom, so its tire must be named");
@@ -82,12 +84,21 @@ Tire MakeAutoTire(const mjModel* m, const std::vector<Wheel>& wheels, const Whee
   return tire;
 }
 
+// A mesh has the lugs that it shows.
+void RefuseLugs(const Wheel& wheel, const Tire& tire) {
+  if (!tire.shape.lugs) return;
+  throw InputError("softsoil_tire: wheel \"" + wheel.name +
+                   "\" has a shape of its own in softsoil_shapes; its tire must be one without "
+                   "<lugs>, got \"" +
+                   tire.name + "\"");
+}
+
 }  // namespace
 
 double StaticLoad(const mjModel* m, const std::vector<Wheel>& wheels, const Wheel& wheel) {
   const int root = m->body_rootid[wheel.body];
   const auto count = std::count_if(wheels.begin(), wheels.end(), [&](const Wheel& other) {
-    return m->body_rootid[other.body] == root;
+    return m->body_rootid[other.body] == root && other.joint >= 0;
   });
   return m->body_subtreemass[root] * -m->opt.gravity[2] / static_cast<double>(count);
 }
@@ -123,6 +134,10 @@ std::vector<Tire> ChooseTires(const mjModel* m, const std::vector<Wheel>& wheels
     } else {
       tires.push_back(At("softsoil_tire", [&] { return FindTire(catalogue, name); }));
       WarnOfRadius(wheel, tires.back());
+      if (wheel.mesh != nullptr) {
+        RefuseLugs(wheel, tires.back());
+        tires.back() = WithShape(tires.back(), wheel);
+      }
     }
   }
   return tires;

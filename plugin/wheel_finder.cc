@@ -205,11 +205,7 @@ Wheel NamedWheel(const mjModel* m, int body) {
            "ellipsoid or sphere whose axis is within 2 degrees of the hinge and whose "
            "centre is within 5 % of the radius of it, or a mesh");
   }
-  const Spin& spin = spins.front();
-  const Vector3d centre_of_mass = Vector(m->body_ipos + 3 * body);
-  return {body,        WheelName(m, body),     spin.joint, OnAxis(spin, centre_of_mass),
-          spin.axis_b, WheelOutline::kUnknown, 0,          0,
-          -1};
+  return TurningBody(m, body);
 }
 
 int BodyWithName(const mjModel* m, const std::string& name) {
@@ -221,7 +217,26 @@ int BodyWithName(const mjModel* m, const std::string& name) {
 
 }  // namespace
 
-std::vector<Wheel> FindWheels(const mjModel* m, const std::vector<std::string>& named) {
+Wheel TurningBody(const mjModel* m, int body) {
+  Wheel wheel = {body,
+                 WheelName(m, body),
+                 -1,
+                 Vector(m->body_ipos + 3 * body),
+                 Vector3d::UnitY(),
+                 WheelOutline::kUnknown,
+                 0,
+                 0,
+                 -1};
+  const std::vector<Spin> spins = SpinsOf(m, body);
+  if (spins.empty()) return wheel;
+  wheel.joint = spins.front().joint;
+  wheel.centre_b = OnAxis(spins.front(), wheel.centre_b);
+  wheel.axis_b = spins.front().axis_b;
+  return wheel;
+}
+
+std::vector<Wheel> FindWheels(const mjModel* m, const std::vector<std::string>& named,
+                              bool needed) {
   std::vector<Wheel> wheels;
   std::set<int> bodies;
   for (const std::string& name : named) {
@@ -230,7 +245,7 @@ std::vector<Wheel> FindWheels(const mjModel* m, const std::vector<std::string>& 
     wheels.push_back(NamedWheel(m, body));
   }
   if (named.empty()) wheels = FindAll(m);
-  if (wheels.empty()) {
+  if (wheels.empty() && needed) {
     throw InputError(
         "no wheels found: the model must have a body with a cylinder, capsule, ellipsoid or "
         "sphere on an unlimited hinge along its axis, or name its wheels in a <custom> <tuple "
