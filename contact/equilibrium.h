@@ -23,7 +23,7 @@ struct PressedPoint {
 struct PressedState {
   double pressure;     // [Pa]  sigma
   double penetration;  // [m]   d~ that is left in the tire
-  double depth;        // [m]   z~ of the surface below the undisturbed ground
+  double depth;        // [m]   z~, counted as that of the point
   bool yields;         // the soil gave way beyond what springs back
 };
 

@@ -107,36 +107,37 @@ void FlowField::Give(std::vector<Request>* requests) {
 
 void FlowField::TakeFromAround(const std::vector<Taker>& takers, int reach) {
   struct Search {
-    double left;
-    std::array<int, kDirections> ends;
+    int k;
+    double left;                        // [m]
+    std::array<int, kDirections> ends;  // how far it has come
   };
   std::vector<Search> searches;
-  for (const Taker& taker : takers) {
-    searches.push_back({taker.thickness, {}});
-    searches.back().ends.fill(taker.k);
+  for (const auto& [k, thickness] : takers) {
+    searches.push_back({k, thickness, {}});
+    searches.back().ends.fill(k);
   }
   const auto has_loose = [this](int n) { return nodes_[n].moved > 0; };
   std::vector<Request> requests;
-  for (std::size_t t = 0; t < takers.size(); ++t) {
-    if (has_loose(takers[t].k)) Ask({takers[t].k}, &searches[t].left, &requests);
+  for (Search& search : searches) {
+    if (has_loose(search.k)) Ask({search.k}, &search.left, &requests);
   }
   Give(&requests);
+  std::vector<int> givers;
   for (int way = 1; way <= reach; ++way) {
     for (Search& search : searches) {
-      std::vector<int> givers;
       if (search.left <= 0) continue;
+      givers.clear();
       for (int d = 0; d < kDirections; ++d) {
-        search.ends[d] = Neighbour(search.ends[d], d);
-        if (!nodes_[search.ends[d]].is_covered && has_loose(search.ends[d])) {
-          givers.push_back(search.ends[d]);
-        }
+        int& end = search.ends[d];
+        end = Neighbour(end, d);
+        if (!nodes_[end].is_covered && has_loose(end)) givers.push_back(end);
       }
       Ask(givers, &search.left, &requests);
     }
     Give(&requests);
   }
-  for (std::size_t t = 0; t < takers.size(); ++t) {
-    if (searches[t].left != 0) Add(takers[t].k, -searches[t].left);
+  for (const Search& search : searches) {
+    if (search.left != 0) Add(search.k, -search.left);
   }
 }
 

@@ -51,9 +51,10 @@ class Ground {
   const GroundSettings& settings() const { return settings_; }
   const Surface& surface() const { return surface_; }
 
-  // History. Forces [N] of one source that acted on the ground for h [s], and the depth below the
-  // undisturbed ground to which it pressed the soil at some nodes. The surface yields to the latter
-  // at once; soil that is pushed away comes to lie elsewhere at the next tick of the soil clock.
+  // History. Forces [N] of one source that acted on the ground for h [s], the slip sinkage that
+  // they brought about, and the depth below the undisturbed ground to which it pressed the soil at
+  // some nodes. The surface yields to the latter at once; soil that is pushed away comes to lie
+  // elsewhere at the next tick of the soil clock.
   // Neither can fail after Reserve() with the same, which changes nothing else.
   void Reserve(int source, const std::vector<SurfaceForce>& forces,
                const std::vector<NodeSinkage>& depths);

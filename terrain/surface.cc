@@ -191,6 +191,10 @@ void Surface::ReservePlastic(const std::vector<NodeSinkage>& depths) {
   }
 }
 
+void Surface::ReserveSlipSinkage(GridNode node) {
+  if (mode_ == SurfaceMode::kFlow) Touch(&Tile::slip, node);
+}
+
 void Surface::ReserveMoved(const std::vector<NodeSoil>& moved) {
   for (const NodeSoil& m : moved) {
     if (Moves(m)) Touch(&Tile::moved, m.node);

@@ -113,7 +113,7 @@ class Surface {
   // From now on until the surface is copied, to set these cannot fail for want of memory.
   void ReserveCompaction(const std::vector<NodeSinkage>& compaction);
   void ReservePlastic(const std::vector<NodeSinkage>& depths);
-  void ReserveSlipSinkage(GridNode node) { Touch(&Tile::slip, node); }
+  void ReserveSlipSinkage(GridNode node);
   void ReserveMoved(const std::vector<NodeSoil>& moved);
 
   double RutVolume() const;         // [m^3]  below the undisturbed ground

@@ -24,7 +24,10 @@ def read(path):
 
 
 def mean_of_passes(wheel):
-    """Quantity -> its mean in each pass."""
+    """Quantity -> its mean in each pass; forces along the way that the wheel goes."""
+    wheel = dict(wheel)
+    for name in ("motion_resistance", "drawbar_pull"):
+        wheel[name] = wheel[name] * np.sign(wheel["forward_speed"])
     within = (wheel["time"] - FIRST) % PERIOD
     number = (wheel["time"] - FIRST) // PERIOD
     steady = (within >= STEADY[0]) & (within <= STEADY[1])

@@ -17,12 +17,8 @@ namespace {
 constexpr double kPeriod = 0.01;  // [s]
 
 GroundSettings Settings(bool sync) {
-  GroundSettings settings;
-  settings.grid_spacing = 0.05;
-  settings.volume_height = 0.05;
-  settings.volumes = 8;
+  GroundSettings settings = CoarseGround(8, sync);
   settings.soil_clock = kPeriod;
-  settings.sync = sync;
   return settings;
 }
 

@@ -15,14 +15,7 @@
 namespace softsoil {
 namespace {
 
-GroundSettings Settings(bool sync) {
-  GroundSettings settings;
-  settings.grid_spacing = 0.05;
-  settings.volume_height = 0.05;
-  settings.volumes = 12;
-  settings.sync = sync;
-  return settings;
-}
+GroundSettings Settings(bool sync) { return CoarseGround(12, sync); }
 
 Ground Undisturbed(bool sync) { return Ground(LooseSoil(), Settings(sync), FlatGround, 2); }
 

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "terrain/columns.h"
+#include "terrain/ground.h"
 #include "terrain/surface_load.h"
 #include "tests/terrain/test_soil.h"
 
@@ -43,6 +44,15 @@ inline std::vector<SurfaceForce> ForcesOf(const Circle& circle, double dx) {
 }
 
 inline double FlatGround(double, double) { return 0.0; }
+
+inline GroundSettings CoarseGround(int volumes, bool sync) {
+  GroundSettings settings;
+  settings.grid_spacing = 0.05;
+  settings.volume_height = 0.05;
+  settings.volumes = volumes;
+  settings.sync = sync;
+  return settings;
+}
 
 inline Columns FlatColumns(const ColumnSettings& settings, int threads = 1) {
   const Soil soil = LooseSoil();

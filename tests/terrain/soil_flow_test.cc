@@ -16,12 +16,8 @@ constexpr double kDx = 0.05;     // [m]
 constexpr double kDepth = 0.06;  // [m]
 
 GroundSettings Settings(int threads = 1, bool sync = true) {
-  GroundSettings settings;
-  settings.grid_spacing = kDx;
-  settings.volume_height = 0.05;
-  settings.volumes = 12;
+  GroundSettings settings = CoarseGround(12, sync);
   settings.threads = threads;
-  settings.sync = sync;
   return settings;
 }
 
