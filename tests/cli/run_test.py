@@ -8,7 +8,7 @@ import unittest
 import matplotlib.image
 import numpy as np
 
-from program import RESULTS, InAFolder, rows_of, run, summary_of
+from program import COARSE, RESULTS, InAFolder, rows_of, run, summary_of
 
 
 class Run(unittest.TestCase):
@@ -100,7 +100,7 @@ class RunOptions(InAFolder):
         ends = []
         for interval in (0.01, 0.15):
             folder = self.folder / str(interval)
-            self.assertEqual(run(folder, "--interval", interval, "--no-picture").returncode, 0)
+            self.assertEqual(run(folder, "--interval", interval, *COARSE).returncode, 0)
             ends.append(summary_of(folder)["wheels"])
         self.assertEqual(*ends)
 
