@@ -3,7 +3,7 @@ import os
 import unittest
 
 from program import BAD_INPUT, summary_of
-from soil_bin_runs import Bin, numbers
+from soil_bin_runs import Bin, numbers, table
 
 
 class BadInput(Bin):
@@ -81,7 +81,7 @@ class NotSteady(Bin):
         # So light that the wheel hops from node to node of the coarse grid.
         done = self.drawbar("--slip", "0.1", load=1)
         self.assertEqual(done.returncode, 0, done.stderr)
-        self.assertEqual(numbers(self.folder / "drawbar.csv")[0]["steady"], 0)
+        self.assertEqual(table(self.folder / "drawbar.csv")[0]["steady [-]"], "0")
         self.assertIn("not steady after", done.stderr)
         self.assertIn("not steady", done.stdout)
         self.assertIs(summary_of(self.folder)["steady"], False)

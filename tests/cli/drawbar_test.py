@@ -8,8 +8,8 @@ import tempfile
 import unittest
 import xml.etree.ElementTree as ET
 
-from program import BAD_INPUT, COARSE, softsoil, summary_of
-from soil_bin_runs import LOAD, ROOT, SOIL, TIRE, Bin, drawbar, numbers, table
+from program import BAD_INPUT, softsoil, summary_of
+from soil_bin_runs import GRID, LOAD, ROOT, SOIL, TIRE, Bin, drawbar, numbers, table
 
 RADIUS, GRAVITY = 0.91, 9.81
 TORQUE = 3000  # [N m]
@@ -120,7 +120,7 @@ class SoilWithoutStrength(Bin):
             self.assertIn("rolling_slip is left empty", done.stderr)
 
     def test_is_drawn_all_the_same(self):
-        done, _, _ = self.slides("--slip", "0.1,0.3")
+        done, _, _ = self.slides("--slip", "0.1")
         arguments = [sys.executable, "plugin/cli/plot/drawbar.py", self.folder / "out"]
         subprocess.run(arguments, check=True, cwd=ROOT)
         self.assertTrue((self.folder / "out" / "drawbar.png").exists())
@@ -228,9 +228,8 @@ class RigidWheel(Bin):
 
 class Pictures(Bin):
     def drawn(self, *more):
-        arguments = [a for a in COARSE if a != "--no-picture"]
         done = softsoil("drawbar", "--tire", TIRE, "--soil", SOIL, "--load", LOAD, "--out",
-                        self.folder, *arguments, *more)
+                        self.folder, *GRID, *more)
         self.assertEqual(done.returncode, 0, done.stderr)
         return {name for name in os.listdir(self.folder) if name.endswith(".png")}
 

@@ -22,6 +22,8 @@ struct Place {
 GroundSettings Settings(SurfaceMode mode, double h) {
   GroundSettings settings;
   settings.grid_spacing = 0.05;
+  settings.volume_height = 0.1;
+  settings.volumes = 8;
   settings.soil_clock = 10 * h;
   settings.sync = true;
   settings.mode = mode;

@@ -40,6 +40,8 @@ class LockedWheel {
   static GroundSettings Settings(SurfaceMode mode) {
     GroundSettings settings;
     settings.grid_spacing = 0.05;
+    settings.volume_height = 0.1;
+    settings.volumes = 8;
     settings.sync = true;
     settings.mode = mode;
     return settings;

@@ -79,6 +79,8 @@ class SoilBin {
   static GroundSettings GroundOf(const SoilBinSettings& settings) {
     GroundSettings ground;
     ground.grid_spacing = settings.grid_spacing;
+    ground.volume_height = 0.05;
+    ground.volumes = 15;
     ground.mode = settings.mode;
     ground.sync = true;
     return ground;
