@@ -12,7 +12,7 @@
 namespace softsoil {
 
 // Version of the files; others are refused.
-constexpr std::uint32_t kStateFileVersion = 2;
+constexpr std::uint32_t kStateFileVersion = 3;
 
 // A mjData and its model.
 struct ModelData {
