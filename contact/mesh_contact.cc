@@ -122,13 +122,13 @@ double MeshContact::BearingShare(int i, const Question& question, const SurfaceP
   const double share = normal_w.z() * normal_w.z();
   const PlateCurve curve = Scaled(question.curve, share);
   PressedPoint point;
-  point.penetration = (ground.height - contact->point_w.z()) /
-                      std::max(Descent(normal_w, ground.slope_x, ground.slope_y), kLeastDescent);
+  // However the surface lies, once the soil has given all the way its depth is that of the node.
+  const double descent = std::max(Descent(normal_w, ground.slope_x, ground.slope_y), kLeastDescent);
+  point.penetration = (ground.height - contact->point_w.z()) / descent;
   point.depth = ground.sinkage - ground.slip_sinkage;
   point.loose = ground.loose;
   point.release = 1;
-  point.deepening =
-      std::max(Descent(normal_w, ground.undisturbed_x, ground.undisturbed_y), kLeastDescent);
+  point.deepening = descent;
   const PressedState state = Equilibrium(tire_.spring, curve, point);
   contact->depth = state.depth + ground.slip_sinkage;
   contact->point_w -= state.penetration * normal_w;

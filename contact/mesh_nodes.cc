@@ -3,6 +3,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <string>
 
 #include "terrain/input_error.h"
@@ -11,10 +12,6 @@ namespace softsoil {
 namespace {
 
 using Eigen::Vector3d;
-
-// [-]  of the spacing, from the first triangle of a node: as the corner of a square from its
-// middle.
-constexpr double kReach = 0.7;
 
 struct Triangle {
   std::array<Vector3d, 3> corners;
@@ -33,17 +30,6 @@ struct Triangle {
   }
 };
 
-Triangle TriangleOf(const TriangleMesh& mesh, int t) {
-  const std::array<int, 3>& v = mesh.triangles[t];
-  return {{mesh.vertices[v[0]], mesh.vertices[v[1]], mesh.vertices[v[2]]}};
-}
-
-// Neither longer than two spacings nor larger than a square of one.
-bool IsSmall(const Triangle& triangle, double spacing) {
-  return triangle.Edge(triangle.LongestEdge()) <= 2 * spacing &&
-         triangle.AreaVector().norm() <= spacing * spacing;
-}
-
 // Unit vector along v [m], any across the y axis where v has no length to speak of.
 Vector3d Along(const Vector3d& v) { return v.norm() > 1e-9 ? v.normalized() : Vector3d::UnitX(); }
 
@@ -57,88 +43,105 @@ void AddNode(const Vector3d& position, const Vector3d& normal, double area, Tire
   nodes->binormal_t.push_back(normal.cross(nodes->tangent_t.back()));
   nodes->radius.push_back(in_plane.norm());
   nodes->area.push_back(area);
-  if (nodes->size() <= kMostNodes) return;
-  throw InputError("the mesh must have at most " + std::to_string(kMostNodes) +
-                   " nodes, got more: the grid spacing is too fine for its area");
 }
 
-void AddParts(const Triangle& triangle, double spacing, TireNodes* nodes) {
-  std::vector<Triangle> parts = {triangle};
-  while (!parts.empty()) {
-    const Triangle part = parts.back();
-    parts.pop_back();
-    if (IsSmall(part, spacing)) {
-      const Vector3d area = part.AreaVector();
-      AddNode(part.Centroid(), area.normalized(), area.norm(), nodes);
-      continue;
+// By triangle the face that it is of: no edge within a face turns by more than kSmoothTurn.
+std::vector<int> Faces(const TriangleMesh& mesh) {
+  std::vector<std::array<int, 3>> neighbours = Neighbours(mesh);
+  for (std::size_t t = 0; t < neighbours.size(); ++t) {
+    const Vector3d normal = AreaVector(mesh, static_cast<int>(t)).normalized();
+    for (int& next : neighbours[t]) {
+      const bool turns = AreaVector(mesh, next).normalized().dot(normal) < std::cos(kSmoothTurn);
+      if (turns) next = static_cast<int>(t);
     }
-    const int k = part.LongestEdge();
-    const Vector3d &from = part.corners[k], &to = part.corners[(k + 1) % 3],
-                   &apex = part.corners[(k + 2) % 3];
-    const Vector3d middle = (from + to) / 2;
-    parts.push_back({{middle, to, apex}});
-    parts.push_back({{from, middle, apex}});
   }
+  return Parts(neighbours);
 }
 
-// Gathers small triangles into nodes.
+// Puts the pieces of triangles into nodes: those of a face in a cube of the spacing.
 class Gatherer {
  public:
-  Gatherer(const TriangleMesh& mesh, double spacing, std::vector<bool> is_taken)
-      : mesh_(mesh), spacing_(spacing), neighbours_(Neighbours(mesh)), is_taken_(is_taken) {}
+  explicit Gatherer(double spacing) : spacing_(spacing) {}
 
-  // The node that grows from a triangle, if it is not in another one.
-  void Grow(int first, TireNodes* nodes) {
-    if (is_taken_[first]) return;
-    const Triangle seed = TriangleOf(mesh_, first);
-    const Vector3d normal = seed.AreaVector().normalized(), centre = seed.Centroid();
-    Vector3d area_vector = Vector3d::Zero(), moment = Vector3d::Zero();
-    double area = 0;
-    std::vector<int> in_node = {first};
-    is_taken_[first] = true;
-    for (std::size_t i = 0; i < in_node.size(); ++i) {
-      const Triangle triangle = TriangleOf(mesh_, in_node[i]);
-      const double own = triangle.AreaVector().norm();
-      area_vector += triangle.AreaVector();
-      moment += own * triangle.Centroid();
-      area += own;
-      for (const int next : neighbours_[in_node[i]]) {
-        if (is_taken_[next] || !Belongs(TriangleOf(mesh_, next), normal, centre)) continue;
-        is_taken_[next] = true;
-        in_node.push_back(next);
+  void Add(const Triangle& whole, int face) {
+    std::vector<Triangle> parts = {whole};
+    while (!parts.empty()) {
+      const Triangle part = parts.back();
+      parts.pop_back();
+      const int k = part.LongestEdge();
+      if (part.Edge(k) <= kLongestEdge * spacing_) {
+        AddPiece(part, face);
+        continue;
       }
+      const Vector3d &from = part.corners[k], &to = part.corners[(k + 1) % 3],
+                     &apex = part.corners[(k + 2) % 3];
+      const Vector3d middle = (from + to) / 2;
+      parts.push_back({{middle, to, apex}});
+      parts.push_back({{from, middle, apex}});
     }
-    AddNode(moment / area, area_vector.normalized(), area, nodes);
+  }
+
+  TireNodes Nodes() const {
+    TireNodes nodes;
+    for (const Gathered& g : gathered_) {
+      AddNode(g.moment / g.area, g.area_vector.normalized(), g.area, &nodes);
+    }
+    return nodes;
   }
 
  private:
-  bool Belongs(const Triangle& triangle, const Vector3d& normal, const Vector3d& centre) const {
-    return triangle.AreaVector().normalized().dot(normal) >= std::cos(kSmoothTurn) &&
-           (triangle.Centroid() - centre).norm() <= kReach * spacing_;
+  static constexpr double kLongestEdge = 0.5;  // [-]  of a piece, of the spacing
+  static constexpr double kRounding = 1e-6;    // [-]  a face between two cubes is in the upper one
+
+  struct Gathered {
+    Vector3d normal;       // of its first piece
+    Vector3d area_vector;  // [m^2]
+    Vector3d moment;       // [m^3]
+    double area;           // [m^2]
+  };
+  using Cube = std::array<int, 4>;  // face, and number along each axis
+
+  void AddPiece(const Triangle& piece, int face) {
+    const Vector3d centroid = piece.Centroid(), area_vector = piece.AreaVector();
+    const double area = area_vector.norm();
+    Cube cube = {face, 0, 0, 0};
+    for (int axis = 0; axis < 3; ++axis) {
+      cube[axis + 1] = static_cast<int>(std::floor(centroid[axis] / spacing_ + kRounding));
+    }
+    Gathered& node = NodeIn(cube, area_vector / area);
+    node.area_vector += area_vector;
+    node.moment += area * centroid;
+    node.area += area;
   }
 
-  const TriangleMesh& mesh_;
+  Gathered& NodeIn(const Cube& cube, const Vector3d& normal) {
+    for (const int i : in_cube_[cube]) {
+      if (gathered_[i].normal.dot(normal) >= std::cos(kSmoothTurn)) return gathered_[i];
+    }
+    in_cube_[cube].push_back(static_cast<int>(gathered_.size()));
+    gathered_.push_back({normal, Vector3d::Zero(), Vector3d::Zero(), 0});
+    return gathered_.back();
+  }
+
   double spacing_;
-  std::vector<std::array<int, 3>> neighbours_;
-  std::vector<bool> is_taken_;
+  std::vector<Gathered> gathered_;
+  std::map<Cube, std::vector<int>> in_cube_;
 };
 
 }  // namespace
 
 TireNodes MakeMeshNodes(const TriangleMesh& mesh, double spacing) {
-  TireNodes nodes;
-  const int count = static_cast<int>(mesh.triangles.size());
-  std::vector<bool> is_large(count);
-  for (int t = 0; t < count; ++t) is_large[t] = !IsSmall(TriangleOf(mesh, t), spacing);
-  Gatherer gatherer(mesh, spacing, is_large);
-  for (int t = 0; t < count; ++t) {
-    if (is_large[t]) {
-      AddParts(TriangleOf(mesh, t), spacing, &nodes);
-    } else {
-      gatherer.Grow(t, &nodes);
-    }
+  if (Area(mesh) > kMostNodes * spacing * spacing) {
+    throw InputError("the mesh must have at most " + std::to_string(kMostNodes) +
+                     " nodes, got more: the grid spacing is too fine for its area");
   }
-  return nodes;
+  const std::vector<int> faces = Faces(mesh);
+  Gatherer gatherer(spacing);
+  for (std::size_t t = 0; t < faces.size(); ++t) {
+    const std::array<int, 3>& v = mesh.triangles[t];
+    gatherer.Add({{mesh.vertices[v[0]], mesh.vertices[v[1]], mesh.vertices[v[2]]}}, faces[t]);
+  }
+  return gatherer.Nodes();
 }
 
 }  // namespace softsoil

@@ -4,6 +4,7 @@
 
 #include <Eigen/Geometry>
 #include <numeric>
+#include <utility>
 
 #include "terrain/input_error.h"
 #include "tests/contact/mesh_samples.h"
@@ -28,9 +29,11 @@ TEST(MeshNodes, CoverTheMeshExactlyAtAnySpacing) {
   }
 }
 
-// Under one pressure all around a closed shape does not move.
+// Under one pressure all around a closed shape does not move. A node on the drum of the wheel has
+// one normal where the drum is curved.
 TEST(MeshNodes, BalanceOneFlatFaceAgainstTheOther) {
-  for (const TriangleMesh& mesh : {BoxMesh(0.3, 0.2, 0.01), kWheel.Mesh()}) {
+  for (const auto& [mesh, most] :
+       {std::pair(BoxMesh(0.3, 0.2, 0.01), 1e-12), std::pair(kWheel.Mesh(), 1e-6)}) {
     const TireNodes nodes = MakeMeshNodes(mesh, 0.02);
     Vector3d force = Vector3d::Zero(), torque = Vector3d::Zero();
     double volume = 0;
@@ -39,8 +42,8 @@ TEST(MeshNodes, BalanceOneFlatFaceAgainstTheOther) {
       torque += nodes.area[i] * nodes.position_t[i].cross(nodes.normal_t[i]);
       volume += nodes.area[i] * nodes.position_t[i].dot(nodes.normal_t[i]) / 3;
     }
-    EXPECT_NEAR(force.norm() / Area(mesh), 0, 1e-9);
-    EXPECT_NEAR(torque.norm() / Area(mesh), 0, 1e-9);
+    EXPECT_NEAR(force.norm() / Area(mesh), 0, most);
+    EXPECT_NEAR(torque.norm() / Area(mesh), 0, most);
     EXPECT_NEAR(volume / Volume(mesh), 1, 1e-2);
   }
 }
