@@ -1,7 +1,11 @@
 #include "contact/tire.h"
 
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
 #include <limits>
 
+#include "contact/mesh_file.h"
 #include "contact/tire_family.h"
 #include "contact/tire_nodes.h"
 
@@ -51,6 +55,35 @@ std::string ShapeFault(const TireShape& shape) {
 
 namespace {
 
+std::shared_ptr<const TriangleMesh> ReadTireMesh(XmlEntry& entry, const TireShape& shape) {
+  for (const char* element : {"lugs", "inflation"}) {
+    if (entry.Has(element)) {
+      entry.Refuse(std::string("a tire with a <mesh> must have no <") + element + ">");
+    }
+  }
+  if (std::isfinite(shape.crown_radius)) {
+    entry.Refuse("a tire with a <mesh> must have the shape cylinder, got torus");
+  }
+  const std::filesystem::path file = entry.Text("mesh", "file");
+  const double scale =
+      entry.Has("mesh", "scale") ? entry.Number("mesh", "scale", "", Range::kPositive) : 1;
+  const std::string path = (std::filesystem::path(entry.file()).parent_path() / file).string();
+  auto mesh = std::make_shared<TriangleMesh>(ReadMesh(path, scale));
+  double radius = 0, half_width = 0;
+  for (const Eigen::Vector3d& v : mesh->vertices) {
+    radius = std::max(radius, std::hypot(v.x(), v.z()));
+    half_width = std::max(half_width, std::abs(v.y()));
+  }
+  const auto require = [&](const char* name, double ours, double theirs) {
+    if (std::abs(ours - theirs) <= kSameSize * theirs) return;
+    entry.Refuse(std::string(name) + " must be that of the mesh, " + Shown(ours) +
+                 " m about its y axis, got " + Shown(theirs));
+  };
+  require("radius", radius, shape.radius);
+  require("width", 2 * half_width, shape.width);
+  return mesh;
+}
+
 Tire ReadTire(XmlEntry& entry) {
   Tire tire{};
   tire.name = entry.name();
@@ -63,6 +96,7 @@ Tire ReadTire(XmlEntry& entry) {
   const std::string fault = ShapeFault(tire.shape);
   if (!fault.empty()) entry.Refuse(fault);
   tire.shape.lugs = ReadLugs(entry, tire.shape.radius, RadiusAt(tire.shape, tire.shape.width / 2));
+  if (entry.Has("mesh")) tire.mesh = ReadTireMesh(entry, tire.shape);
   if (SpringPressure(tire.spring, 1) <= 0) {
     entry.Refuse("the spring must have one of linear, quadratic, cubic, root > 0");
   }

@@ -13,6 +13,7 @@
 namespace softsoil {
 
 constexpr double kWidestPerRadius = 10;  // [-]  of a tire's width
+constexpr double kSameSize = 0.01;       // [-]  of a mesh and the shape that bounds it
 
 // Torus, outer radius r at the middle of the tread; its cross-section is an arc of the crown
 // radius r_beta. A cylinder has an infinite crown radius. Madsen (2014) section 4.2.
@@ -42,7 +43,10 @@ std::string ShapeFault(const TireShape& shape);
 Catalogue<Tire> TireCatalogue();
 
 // The numbers of a tire file that every tire has. <shape type="torus"> has a crown_radius besides;
-// <inflation family="..." pressure="..."/> [Pa] and <lugs> (contact/lugs.h) may stand in any.
+// <inflation family="..." pressure="..."/> [Pa] and <lugs> (contact/lugs.h) may stand in any, or
+// instead of both <mesh file="wheel.obj" scale="0.001"/>: the surface, a closed mesh of that file
+// (contact/mesh_file.h), which is looked for from the folder of the XML file. Its y axis is the
+// spin axis, and radius and width are those of the shape, a cylinder, to kSameSize.
 const std::vector<Attribute<Tire>>& TireAttributes();
 
 }  // namespace softsoil

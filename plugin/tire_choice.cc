@@ -84,12 +84,12 @@ Tire MakeAutoTire(const mjModel* m, const std::vector<Wheel>& wheels, const Whee
   return tire;
 }
 
-// A mesh has the lugs that it shows.
-void RefuseLugs(const Wheel& wheel, const Tire& tire) {
-  if (!tire.shape.lugs) return;
+// A shape has the lugs that it shows.
+void RefuseSecondSurface(const Wheel& wheel, const Tire& tire) {
+  if (!tire.shape.lugs && tire.mesh == nullptr) return;
   throw InputError("softsoil_tire: wheel \"" + wheel.name +
                    "\" has a shape of its own in softsoil_shapes; its tire must be one without "
-                   "<lugs>, got \"" +
+                   "<lugs> and <mesh>, got \"" +
                    tire.name + "\"");
 }
 
@@ -135,7 +135,7 @@ std::vector<Tire> ChooseTires(const mjModel* m, const std::vector<Wheel>& wheels
       tires.push_back(At("softsoil_tire", [&] { return FindTire(catalogue, name); }));
       WarnOfRadius(wheel, tires.back());
       if (wheel.mesh != nullptr) {
-        RefuseLugs(wheel, tires.back());
+        RefuseSecondSurface(wheel, tires.back());
         tires.back() = WithShape(tires.back(), wheel);
       }
     }

@@ -20,6 +20,7 @@ class XmlEntry {
   XmlEntry(std::string file, const tinyxml2::XMLElement& element);
 
   const std::string& name() const { return name_; }
+  const std::string& file() const { return file_; }
   const std::string& description() const { return description_; }
 
   // The number of <element name="..."/>. Throws when absent, not a number or out of range.

@@ -1,5 +1,6 @@
 """What the README claims, worked out from the table, and whether it holds."""
 import math
+import statistics
 
 from printed import LITERAL, PLUS_SD
 
@@ -16,6 +17,21 @@ def pulls(rows, least_slip, most_slip=math.inf):
     """Measured drawbar pulls at slips above and up to a bound [%]."""
     return [r for r in rows if r.kind == "experiment" and r.quantity == "drawbar pull"
             and least_slip < r.slip <= most_slip]
+
+
+# What is claimed of rigid wheels: bounds [%] of the median error, by source and quantity.
+RIGID_WHEEL_BOUNDS = {("Ding et al. 2011", "torque"): 10, ("Ding et al. 2011", "sinkage"): 40,
+                      ("Wang and Han 2016", "torque"): 20}
+
+
+def rigid_wheel_claims(rows):
+    rows = [r for r in rows if r.kind == "rigid wheel" and r.our_error is not None]
+    for key in dict.fromkeys((r.section, r.quantity) for r in rows):
+        errors = [abs(r.our_error) for r in rows if (r.section, r.quantity) == key]
+        median = statistics.median(errors)
+        bound = RIGID_WHEEL_BOUNDS.get(key)
+        yield (f"rigid wheels of {key[0]}, {key[1]}: median error {median:.0f} % in {len(errors)} cases",
+               None if bound is None else median <= bound)
 
 
 def claims(rows):
@@ -43,3 +59,4 @@ def claims(rows):
             bound = worst <= 12 if (soil, reading) == ("tilled", PLUS_SD) else None
             yield (f"Wong-Reece, {soil}, {reading}: rms error {rms:.0f} %, worst {worst:.0f} %",
                    bound)
+    yield from rigid_wheel_claims(rows)

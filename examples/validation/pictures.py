@@ -73,6 +73,27 @@ def draw_soil_volume(rows, axes):
     axes.legend(frameon=False, fontsize=9)
 
 
+def draw_rigid_wheels(rows, axes):
+    """Quantities of every wheel over slip: a row of axes for a wheel, a column for a quantity."""
+    wheels = list(dict.fromkeys(r.case.split(",")[0] for r in rows))
+    for across, wheel in zip(axes, wheels):
+        for place, quantity in zip(across, ("drawbar pull", "torque", "sinkage")):
+            of = [r for r in rows if r.case.startswith(f"{wheel},") and r.quantity == quantity]
+            place.set_title(f"{wheel}: {quantity}", loc="left", fontsize=9)
+            place.spines[["top", "right"]].set_visible(False)
+            if not of:
+                place.set_axis_off()
+                continue
+            slips = [r.slip for r in of]
+            place.plot(slips, [r.measured for r in of], "|", color=MEASURED, markersize=14, markeredgewidth=2)
+            place.plot(slips, [r.ours for r in of], "o-", color=OURS, linewidth=0.8, markersize=5)
+            place.set_ylabel(of[0].unit)
+            place.set_ylim(min(0, place.get_ylim()[0]))
+    for place in axes[-1]:
+        place.set_xlabel("slip [%]")
+    axes[0][0].legend(["measured", "softsoil"], frameon=False, fontsize=8, loc="lower right")
+
+
 def draw(rows, folder):
     figure, axes = plt.subplots(figsize=(9, 4.6), constrained_layout=True)
     draw_pulls(rows, axes)
@@ -87,6 +108,10 @@ def draw(rows, folder):
                   and r.note in (PLUS_SD, LITERAL)]
         draw_agreement(marked, axes, f"Wong-Reece: {quantity}", unit)
     save(figure, folder / "wong_reece.png")
+
+    figure, axes = plt.subplots(5, 3, figsize=(10, 12), constrained_layout=True)
+    draw_rigid_wheels([r for r in rows if r.kind == "rigid wheel"], axes)
+    save(figure, folder / "rigid_wheels.png")
 
     figure, axes = plt.subplots(figsize=(7, 4.6), constrained_layout=True)
     draw_soil_volume(rows, axes)

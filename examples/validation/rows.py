@@ -3,6 +3,7 @@ import collections
 import dataclasses
 
 import model
+import rigid_wheels
 from printed import LITERAL, PLUS_SD, thesis_model
 
 CANNOT = "the measured curve exists only as a figure"
@@ -150,6 +151,13 @@ def soil_volume_rows(printed):
     return rows
 
 
+def rigid_wheel_rows(folder, first_id):
+    return [Row(first_id + k, wheel.source, "rigid wheel", f"{wheel.name}, {100 * slip:g} % slip", quantity, unit,
+                measured=measured, ours=ours, slip=100 * slip)
+            for k, (wheel, quantity, unit, slip, measured, ours) in enumerate(rigid_wheels.results(folder))]
+
+
 def all_rows(printed, folder):
-    return (experiment_rows(printed, folder) + width_rows(printed, folder) +
+    rows = (experiment_rows(printed, folder) + width_rows(printed, folder) +
             wong_reece_rows(printed, folder) + tire_rows(printed) + soil_volume_rows(printed))
+    return rows + rigid_wheel_rows(folder, first_id=1 + max(row.id for row in rows))

@@ -29,7 +29,7 @@ def write_csv(rows, path):
 
 
 def write_markdown(rows, claims, path):
-    lines = ["# Validation against the numbers of Madsen (2014)", "",
+    lines = ["# Validation against the numbers of Madsen (2014) and tests of rigid wheels", "",
              "Errors are against the measured value; where nothing was measured, against the "
              "thesis' model.", ""]
     for sentence, holds in claims:

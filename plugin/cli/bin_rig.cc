@@ -41,7 +41,7 @@ std::unique_ptr<Simulation> MakeRig(const SoilBin& bin, int soil_threads) {
   const std::lock_guard<std::mutex> lock(one_at_a_time);
   auto rig = std::make_unique<Simulation>("soil_bin.xml", SoilBinModel(bin));
   rig->GiveSoil("threads=" + std::to_string(soil_threads));
-  rig->SetPosition(kHeave, Lift(bin.shape, *rig));
+  rig->SetPosition(kHeave, Lift(bin.tire.shape, *rig));
   return rig;
 }
 

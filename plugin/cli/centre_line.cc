@@ -15,6 +15,10 @@ double AngleAt(int degree) { return degree + 0.5; }  // [deg]
 
 }  // namespace
 
+TireNodes RingsOf(const Tire& tire, double spacing) {
+  return tire.mesh != nullptr ? TireNodes{} : MakeTireNodes(tire.shape, spacing);
+}
+
 CentreLine::CentreLine(const TireNodes& nodes) : middle_(std::numeric_limits<double>::infinity()) {
   const auto lateral = [&nodes](std::size_t i) { return nodes.position_t[i].y(); };
   for (std::size_t i = 0; i < nodes.size(); ++i) middle_ = std::min(middle_, std::abs(lateral(i)));
@@ -25,6 +29,7 @@ CentreLine::CentreLine(const TireNodes& nodes) : middle_(std::numeric_limits<dou
   }
   rings_ = left > 0 && right > 0 && middle_ > kSameRing ? 2 : 1;
   pitch_ = 360.0 * rings_ / (left + right);
+  if (nodes.size() == 0) middle_ = -1;  // nothing is as near to the middle plane
 }
 
 void CentreLine::Add(const std::vector<softsoilContact>& contacts) {

@@ -15,12 +15,15 @@ struct CentreLinePoint {
   double shear;     // [Pa]   along the circumference, positive where it drives forward
 };
 
+// Nodes of a tire in rings, `spacing` [m] apart; none of a mesh, whose nodes stand in none.
+TireNodes RingsOf(const Tire& tire, double spacing);
+
 // Mean over instants at every half degree between two whole ones. At an instant stress is linear
 // from node to node of a ring, and 0 at a node that does not touch. The middle is one ring of
 // nodes, or the mean of the two beside it.
 class CentreLine {
  public:
-  // `nodes` of the tire.
+  // `nodes` of the tire, RingsOf(). Of none there are no points.
   explicit CentreLine(const TireNodes& nodes);
   // The contacts of the tire at one instant.
   void Add(const std::vector<softsoilContact>& contacts);

@@ -100,9 +100,8 @@ void AddFiles(const char* key, const std::vector<std::string>& files, SoilBin* b
 
 SoilBin BinOf(const DrawbarOptions& options, const Tire& tire) {
   SoilBin bin;
-  bin.tire = options.tire;
+  bin.tire = tire;
   bin.soil = options.soil;
-  bin.shape = tire.shape;
   bin.load = options.load;
   bin.mode = options.mode;
   bin.settings = options.settings;
@@ -168,11 +167,11 @@ class Curve {
     if (i > 0) {
       const double asked = Asked()[i - 1];
       drive.spin = options_.mode == BinMode::kSlip
-                       ? (1 + asked) * options_.speed / bin_.shape.radius
+                       ? (1 + asked) * options_.speed / bin_.tire.shape.radius
                        : asked;
     }
     const auto rig = MakeRig(i == 0 ? freely_rolling_ : bin_, 1);
-    states_[i] = DriveToSteadyState(drive, bin_.shape, options_.load, rig.get());
+    states_[i] = DriveToSteadyState(drive, bin_.tire, options_.load, rig.get());
   }
 
   const DrawbarOptions& options_;
@@ -213,18 +212,18 @@ void RunCurve(const DrawbarOptions& options, const SoilBin& bin, const WongReece
   const bool by_slip = options.mode == BinMode::kSlip;
   WriteCentreLineCsv(options.folder, by_slip ? "slip [-]" : "spin [rad/s]", lines);
   if (options.wong_reece) WriteWongReece(rigid, options.folder);
-  WriteDrawbarSummary(options, bin.shape.radius, result);
+  WriteDrawbarSummary(options, bin.tire.shape.radius, result);
   WriteDrawbarCsv(options.folder, result.cases);
-  PrintDrawbar(options, bin.shape.radius, result);
+  PrintDrawbar(options, bin.tire.shape.radius, result);
 }
 
 void RunHistory(const DrawbarOptions& options, const SoilBin& bin) {
   const auto rig = MakeRig(bin, options.threads);
-  const TorqueHistory history = DriveByTorque(options, bin.shape, rig.get());
+  const TorqueHistory history = DriveByTorque(options, bin.tire, rig.get());
   if (!history.settled) Warn("the wheel had not settled when the torque set in");
   WriteModel(options, bin);
   WriteCentreLineCsv(options.folder, "time [s]", history.centre_lines);
-  WriteHistorySummary(options, bin.shape.radius, history.settled);
+  WriteHistorySummary(options, bin.tire.shape.radius, history.settled);
   const softsoilWheel w = rig->Wheel(0);
   std::printf("%s on %s, %g N, driven by %g N m: after %g s %.3f m/s at %.1f %% slip\n\n",
               options.tire.c_str(), options.soil.c_str(), options.load, options.torque,

@@ -79,7 +79,7 @@ class Editor {
     ParseNumber(size.substr(blank + 1), &half_width);
     double sprung_mass = 0;
     Body("sprung_mass", "inertial")->QueryDoubleAttribute("mass", &sprung_mass);
-    scale_ = {bin.shape.radius / radius, bin.shape.width / 2 / half_width,
+    scale_ = {bin.tire.shape.radius / radius, bin.tire.shape.width / 2 / half_width,
               kSprungShare * bin.load / kGravity / sprung_mass};
   }
 
@@ -114,7 +114,7 @@ class Editor {
     for (auto* node = document_.FirstChild(); node != nullptr; node = node->NextSibling()) {
       if (node->ToComment() == nullptr) continue;
       const std::string text =
-          " Soil bin of Madsen (2014), 6.3.1, made by softsoil drawbar: " + bin_.tire + ", " +
+          " Soil bin of Madsen (2014), 6.3.1, made by softsoil drawbar: " + bin_.tire.name + ", " +
           bin_.soil + ", " + Shown(bin_.load) + " N. ";
       node->SetValue(text.c_str());
       return;
@@ -149,7 +149,8 @@ class Editor {
     SetMass("sprung_mass", kSprungShare * mass);
     SetMass("spindle", kUnsprungShare * mass);
     // A solid cylinder of the rim's size, 6.3.1.
-    const double rim = kRimPerRadius * bin_.shape.radius, width = kRimPerWidth * bin_.shape.width;
+    const double rim = kRimPerRadius * bin_.tire.shape.radius,
+                 width = kRimPerWidth * bin_.tire.shape.width;
     const double across = kUnsprungShare * mass * (3 * rim * rim + width * width) / 12;
     const double spin = kUnsprungShare * mass * rim * rim / 2;
     SetInertia("wheel", kUnsprungShare * mass, {across, spin, across});
@@ -177,7 +178,7 @@ class Editor {
     if (bin_.mode == BinMode::kSpin) return;
     Find("joint", kSpin)->DeleteAttribute("damping");
     XMLElement* const motor = Find("motor", kSpin);
-    const std::string most = Shown(bin_.load * bin_.shape.radius);
+    const std::string most = Shown(bin_.load * bin_.tire.shape.radius);
     motor->SetAttribute("name", kTorque);
     motor->SetAttribute("gear", "1");
     motor->SetAttribute("ctrlrange", ("-" + most + " " + most).c_str());
@@ -185,7 +186,7 @@ class Editor {
 
   void SetSoil() {
     Find("text", "softsoil_soil")->SetAttribute("data", bin_.soil.c_str());
-    Find("text", "softsoil_tire")->SetAttribute("data", bin_.tire.c_str());
+    Find("text", "softsoil_tire")->SetAttribute("data", bin_.tire.name.c_str());
     XMLElement* const custom = Find("custom");
     for (const auto& [key, value] : bin_.settings) {
       double number = 0;

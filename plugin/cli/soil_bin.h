@@ -22,9 +22,9 @@ enum class BinMode {
 };
 
 struct SoilBin {
-  std::string tire, soil;  // names in the catalogues
-  TireShape shape;         // of the tire
-  double load = 0;         // [N]  > 0, weight of the rig
+  Tire tire;         // of a catalogue
+  std::string soil;  // name in the catalogue
+  double load = 0;   // [N]  > 0, weight of the rig
   BinMode mode = BinMode::kSlip;
   // Further settings of softsoil, without the prefix softsoil_.
   std::vector<std::pair<std::string, std::string>> settings;

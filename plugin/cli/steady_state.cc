@@ -75,9 +75,9 @@ bool IsSteady(const softsoilWheel& before, const softsoilWheel& now, double load
 // One case of the bin.
 class Driven {
  public:
-  Driven(const BinDrive& drive, const TireShape& shape, double load, Simulation* simulation)
+  Driven(const BinDrive& drive, const Tire& tire, double load, Simulation* simulation)
       : drive_(drive),
-        nodes_(MakeTireNodes(shape, simulation->Ground().grid_spacing)),
+        nodes_(RingsOf(tire, simulation->Ground().grid_spacing)),
         load_(load),
         simulation_(simulation) {}
 
@@ -123,15 +123,16 @@ class Driven {
 
 }  // namespace
 
-SteadyState DriveToSteadyState(const BinDrive& drive, const TireShape& shape, double load,
+SteadyState DriveToSteadyState(const BinDrive& drive, const Tire& tire, double load,
                                Simulation* rig) {
   if (!drive.spin) rig->SetDamper(kSpin, 0);
   const bool settled = Settle(load, rig);
   const double start = rig->Wheel(0).centre[0];
-  Driven driven(drive, shape, load, rig);
+  Driven driven(drive, tire, load, rig);
   driven.Ramp();
-  const double speed = drive.speed ? *drive.speed : *drive.spin * shape.radius;
-  const double window = std::max(kShortestWindow, kWindowPerRadius * shape.radius / speed);
+  const double radius = tire.shape.radius;
+  const double speed = drive.speed ? *drive.speed : *drive.spin * radius;
+  const double window = std::max(kShortestWindow, kWindowPerRadius * radius / speed);
   SteadyState before = driven.Through(window), now;
   for (int k = 1; k < kMostWindows && !now.steady; ++k) {
     now = driven.Through(window);

@@ -34,7 +34,7 @@ struct SteadyState {
 
 // `shape` of the tire and `load` [N] of the wheel; the rig has not been stepped. Throws InputError
 // if the wheel sinks to its axle.
-SteadyState DriveToSteadyState(const BinDrive& drive, const TireShape& shape, double load,
+SteadyState DriveToSteadyState(const BinDrive& drive, const Tire& tire, double load,
                                Simulation* rig);
 
 }  // namespace softsoil

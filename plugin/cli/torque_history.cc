@@ -17,12 +17,11 @@ constexpr double kSample = 0.005;   // [s]  between instants of that mean
 
 }  // namespace
 
-TorqueHistory DriveByTorque(const DrawbarOptions& options, const TireShape& shape,
-                            Simulation* rig) {
+TorqueHistory DriveByTorque(const DrawbarOptions& options, const Tire& tire, Simulation* rig) {
   const bool settled = SettleBraked(options.load, rig);
   rig->SetControl(kTorque, options.torque);
 
-  const CentreLine none(MakeTireNodes(shape, rig->Ground().grid_spacing));
+  const CentreLine none(RingsOf(tire, rig->Ground().grid_spacing));
   std::vector<CentreLine> means(options.contact_times.size(), none);
   WheelLog log(options.folder + "/history.csv");
   Progress progress(options.time);

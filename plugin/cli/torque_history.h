@@ -14,6 +14,6 @@ struct TorqueHistory {
 
 // Drives for options.time after the wheel has settled, and writes history.csv, which has the
 // columns of wheels.csv. Throws InputError if the wheel sinks to its axle.
-TorqueHistory DriveByTorque(const DrawbarOptions& options, const TireShape& shape, Simulation* rig);
+TorqueHistory DriveByTorque(const DrawbarOptions& options, const Tire& tire, Simulation* rig);
 
 }  // namespace softsoil

@@ -15,9 +15,9 @@ constexpr double kLoad = 18000;  // [N]
 
 SoilBin Tractor(const std::string& bumps) {
   SoilBin bin;
-  bin.tire = "18.4R38_85kPa";
+  bin.tire.name = "18.4R38_85kPa";
   bin.soil = "tilled_yolo_loam";
-  bin.shape = {0.91, 0.661, 0.467};
+  bin.tire.shape = {0.91, 0.661, 0.467};
   bin.load = kLoad;
   bin.mode = BinMode::kTorque;
   bin.settings = {{"grid_spacing", "0.1"}, {"volume_height", "0.1"}, {"volumes", "8"}};
@@ -74,7 +74,7 @@ TEST(BinRig, IsNotSteadyUnlessItHadSettled) {
   const BinDrive drive = {1.0, 1.2 / 0.91};
   for (const double load : {kLoad, 1.5 * kLoad}) {
     const auto rig = MakeRig(bin, 1);
-    EXPECT_EQ(DriveToSteadyState(drive, bin.shape, load, rig.get()).steady, load == kLoad);
+    EXPECT_EQ(DriveToSteadyState(drive, bin.tire, load, rig.get()).steady, load == kLoad);
   }
 }
 

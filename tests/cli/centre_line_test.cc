@@ -111,5 +111,11 @@ TEST(CentreLine, IsEmptyInTheAir) {
   EXPECT_TRUE(line.Points().empty());
 }
 
+TEST(CentreLine, HasNoPointsWithoutRings) {
+  CentreLine line(TireNodes{});
+  line.Add({At(0, 0, 1000)});
+  EXPECT_TRUE(line.Points().empty());
+}
+
 }  // namespace
 }  // namespace softsoil

@@ -13,17 +13,17 @@ using testing::HasSubstr;
 
 SoilBin Tractor() {
   SoilBin bin;
-  bin.tire = "18.4R38_85kPa";
+  bin.tire.name = "18.4R38_85kPa";
   bin.soil = "tilled_yolo_loam";
-  bin.shape = {0.91, 0.661, 0.467};
+  bin.tire.shape = {0.91, 0.661, 0.467};
   bin.load = 18000;
   return bin;
 }
 
 SoilBin Small() {
   SoilBin bin = Tractor();
-  bin.tire = "37x12.5R16.5_15psi";
-  bin.shape = {0.47, 10, 0.3};
+  bin.tire.name = "37x12.5R16.5_15psi";
+  bin.tire.shape = {0.47, 10, 0.3};
   bin.load = 5000;
   return bin;
 }
@@ -66,18 +66,18 @@ TEST_P(AnyBin, SwingsTwiceASecondWithHalfOfCriticalDamping) {
 TEST_P(AnyBin, HasAWheelOfTheTiresSizeThatTouchesTheGround) {
   const Rig rig(GetParam());
   const mjtNum* size = rig.m().geom_size + 3 * rig.Id(mjOBJ_GEOM, "wheel");
-  EXPECT_NEAR(size[0], GetParam().shape.radius, 1e-9);
-  EXPECT_NEAR(size[1], GetParam().shape.width / 2, 1e-9);
-  EXPECT_NEAR(rig.m().body_pos[3 * rig.Id(mjOBJ_BODY, "sprung_mass") + 2], GetParam().shape.radius,
-              1e-9);
+  EXPECT_NEAR(size[0], GetParam().tire.shape.radius, 1e-9);
+  EXPECT_NEAR(size[1], GetParam().tire.shape.width / 2, 1e-9);
+  EXPECT_NEAR(rig.m().body_pos[3 * rig.Id(mjOBJ_BODY, "sprung_mass") + 2],
+              GetParam().tire.shape.radius, 1e-9);
 }
 
 // A solid cylinder of 38 in by 16 in, 6.3.1, in proportion to the tire.
 TEST_P(AnyBin, HasTheInertiaOfASolidRim) {
   const Rig rig(GetParam());
   const mjtNum* inertia = rig.m().body_inertia + 3 * rig.Id(mjOBJ_BODY, "wheel");
-  const double mass = rig.Mass("wheel"), rim = 0.4826 / 0.91 * GetParam().shape.radius;
-  const double width = 16 / 18.4 * GetParam().shape.width;
+  const double mass = rig.Mass("wheel"), rim = 0.4826 / 0.91 * GetParam().tire.shape.radius;
+  const double width = 16 / 18.4 * GetParam().tire.shape.width;
   EXPECT_NEAR(inertia[1], mass * rim * rim / 2, 1e-6);
   EXPECT_NEAR(inertia[0], mass * (3 * rim * rim + width * width) / 12, 1e-6);
 }
