@@ -9,4 +9,4 @@ use_softsoil
 softsoil run soil_bin --time 21 --controls examples/07_five_passes/controls.csv --set soil=slipping_loam \
   --set soil_file=examples/07_five_passes/slipping_loam.xml --set grid_spacing=0.05 \
   --out build/07_five_passes
-PYTHONDONTWRITEBYTECODE=1 /usr/bin/python3 examples/07_five_passes/passes.py build/07_five_passes
+PYTHONDONTWRITEBYTECODE=1 PYTHONPATH=examples /usr/bin/python3 examples/07_five_passes/passes.py build/07_five_passes

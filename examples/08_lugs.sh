@@ -13,4 +13,4 @@ for tire in 18.4R38_85kPa 18.4R38_85kPa_lugged; do
 done
 softsoil run soil_bin --time 2 --controls examples/08_lugs/controls.csv --set tire=18.4R38_85kPa_lugged \
   --out "$out/footprint"
-PYTHONDONTWRITEBYTECODE=1 /usr/bin/python3 examples/08_lugs/lugs.py "$out"
+PYTHONDONTWRITEBYTECODE=1 PYTHONPATH=examples /usr/bin/python3 examples/08_lugs/lugs.py "$out"

@@ -14,4 +14,4 @@ for manoeuvre in straight step_steer lane_change; do
       --no-picture --out "$out/$manoeuvre/$ground"
   done
 done
-PYTHONDONTWRITEBYTECODE=1 /usr/bin/python3 examples/09_handling/handling.py "$out"
+PYTHONDONTWRITEBYTECODE=1 PYTHONPATH=examples /usr/bin/python3 examples/09_handling/handling.py "$out"

@@ -1,5 +1,4 @@
 """Reads the drive back and forth of 07_five_passes.sh: passes.csv, passes.png, and its claims."""
-import csv
 import pathlib
 import sys
 
@@ -9,18 +8,12 @@ matplotlib.use("Agg")
 import matplotlib.pyplot as plt
 import numpy as np
 
+from wheels_table import bare, read, write
+
 GREEN, RUST = "#3f7d3a", "#b4552d"
 FIRST, PERIOD, PASSES = 1, 4, 5  # [s] start of the first pass, [s] each, [-]
 STEADY = (1, 2.5)  # [s] of a pass: what is averaged
 COLUMNS = {"rut_depth": "m", "motion_resistance": "N", "drawbar_pull": "N"}
-
-
-def read(path):
-    """Column without its unit -> array."""
-    with open(path, newline="") as file:
-        rows = list(csv.DictReader(file))
-    return {key.split(" [")[0]: np.array([float(row[key]) for row in rows])
-            for key in rows[0] if key != "wheel"}
 
 
 def mean_of_passes(wheel):
@@ -35,14 +28,6 @@ def mean_of_passes(wheel):
             for name in COLUMNS}
 
 
-def write(folder, means):
-    with open(folder / "passes.csv", "w", newline="") as file:
-        table = csv.writer(file)
-        table.writerow(["pass"] + [f"{name} [{unit}]" for name, unit in COLUMNS.items()])
-        for k in range(PASSES):
-            table.writerow([k + 1] + [f"{means[name][k]:.5g}" for name in COLUMNS])
-
-
 def draw(folder, means):
     figure, (left, right) = plt.subplots(1, 2, figsize=(9, 3.6), layout="constrained")
     passes = np.arange(1, PASSES + 1)
@@ -50,8 +35,7 @@ def draw(folder, means):
     left.set(title="Rut", xlabel="pass", ylabel="depth [cm]")
     right.bar(passes, means["motion_resistance"], color=GREEN, width=0.6)
     right.set(title="Motion resistance", xlabel="pass", ylabel="force [N]")
-    for axes in (left, right):
-        axes.spines[["top", "right"]].set_visible(False)
+    bare((left, right))
     figure.savefig(folder / "passes.png", dpi=120)
 
 
@@ -67,9 +51,9 @@ def check(means):
 def main():
     folder = pathlib.Path(sys.argv[1])
     means = mean_of_passes(read(folder / "wheels.csv"))
-    write(folder, means)
     draw(folder, means)
-    print((folder / "passes.csv").read_text(), end="")
+    write(folder / "passes.csv", ["pass"] + [f"{name} [{unit}]" for name, unit in COLUMNS.items()],
+          [[k + 1] + [means[name][k] for name in COLUMNS] for k in range(PASSES)])
     check(means)
 
 

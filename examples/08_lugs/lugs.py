@@ -1,5 +1,4 @@
 """Reads the two curves of 08_lugs.sh: lugs.csv, lugs.png, and its claims."""
-import csv
 import pathlib
 import sys
 
@@ -9,6 +8,8 @@ matplotlib.use("Agg")
 import matplotlib.pyplot as plt
 import numpy as np
 
+from wheels_table import bare, read, write
+
 GREEN, GREY = "#3f7d3a", "#6b6b6b"
 SMOOTH, LUGGED = "18.4R38_85kPa", "18.4R38_85kPa_lugged"
 LABELS = {SMOOTH: "smooth", LUGGED: "with lugs of 38 mm"}
@@ -17,23 +18,14 @@ COLOURS = {SMOOTH: GREY, LUGGED: GREEN}
 MEASURED = (0.27, 9710)
 
 
-def read(path):
-    """Column without its unit -> array."""
-    with open(path, newline="") as file:
-        rows = list(csv.DictReader(file))
-    return {key.split(" [")[0]: np.array([float(row[key] or "nan") for row in rows])
-            for key in rows[0]}
-
-
-def write(folder, curves):
-    with open(folder / "lugs.csv", "w", newline="") as file:
-        table = csv.writer(file)
-        table.writerow(["slip [-]"] + [f"{name}, {LABELS[tire]} [{unit}]" for tire in curves
-                                       for name, unit in (("drawbar pull", "N"), ("sinkage", "m"))])
-        for k, slip in enumerate(curves[SMOOTH]["slip"]):
-            cells = [curve[name][k] for curve in curves.values()
-                     for name in ("drawbar_pull", "sinkage")]
-            table.writerow([f"{slip:g}"] + [f"{cell:.5g}" for cell in cells])
+def table(curves):
+    """Header and rows of lugs.csv."""
+    header = ["slip [-]"] + [f"{name}, {LABELS[tire]} [{unit}]" for tire in curves
+                             for name, unit in (("drawbar pull", "N"), ("sinkage", "m"))]
+    rows = [[float(slip)] + [curve[name][k] for curve in curves.values()
+                             for name in ("drawbar_pull", "sinkage")]
+            for k, slip in enumerate(curves[SMOOTH]["slip"])]
+    return header, rows
 
 
 def draw(folder, curves):
@@ -44,7 +36,7 @@ def draw(folder, curves):
     axes.plot(MEASURED[0], MEASURED[1] / 1000, "kD", label="measured")
     axes.set(title="Tractor tire on tilled loam, 17.6 kN", xlabel="slip [-]",
              ylabel="drawbar pull [kN]")
-    axes.spines[["top", "right"]].set_visible(False)
+    bare([axes])
     axes.legend(frameon=False, loc="lower right")
     figure.savefig(folder / "lugs.png", dpi=120)
 
@@ -63,9 +55,8 @@ def check(curves):
 def main():
     folder = pathlib.Path(sys.argv[1])
     curves = {tire: read(folder / tire / "drawbar.csv") for tire in (SMOOTH, LUGGED)}
-    write(folder, curves)
     draw(folder, curves)
-    print((folder / "lugs.csv").read_text(), end="")
+    write(folder / "lugs.csv", *table(curves))
     check(curves)
 
 

@@ -1,5 +1,4 @@
 """Reads the drives of 09_handling.sh: handling.csv, handling.png, and their claims."""
-import csv
 import pathlib
 import sys
 
@@ -8,6 +7,8 @@ import matplotlib
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt
 import numpy as np
+
+from wheels_table import bare, read, write
 
 GROUNDS = {"tilled_yolo_loam": ("tilled loam", "#b4552d"), "firm_yolo_loam": ("firm loam", "#3f7d3a"),
            "rigid_ground": ("rigid ground", "#6b6b6b")}
@@ -19,19 +20,14 @@ class Drive:
     """The vehicle in the middle of its wheels."""
 
     def __init__(self, folder):
-        with open(folder / "wheels.csv", newline="") as file:
-            rows = list(csv.DictReader(file))
-
-        def of(wheel, key):
-            return np.array([float(row[key]) for row in rows if row["wheel"] == wheel])
-
-        self.time = of(WHEELS[0], "time [s]")
-        x, y = (sum(of(wheel, f"{axis} [m]") for wheel in WHEELS) / 4 for axis in "xy")
+        wheels = {name: read(folder / "wheels.csv", name) for name in WHEELS}
+        self.time = wheels[WHEELS[0]]["time"]
+        x, y = (sum(wheel[axis] for wheel in wheels.values()) / 4 for axis in "xy")
         self.x, self.y = x, y
         self.speed = np.hypot(np.gradient(x, self.time), np.gradient(y, self.time))
-        ahead = [sum(of(wheel, f"{axis} [m]") for wheel in WHEELS[:2]) / 2 for axis in "xy"]
+        ahead = [sum(wheels[name][axis] for name in WHEELS[:2]) / 2 for axis in "xy"]
         self.heading = np.unwrap(np.arctan2(ahead[1] - y, ahead[0] - x))
-        self.rut = max(of(wheel, "rut_depth [m]").max() for wheel in WHEELS)
+        self.rut = max(wheel["rut_depth"].max() for wheel in wheels.values())
 
     def at(self, time, of):
         return float(np.interp(time, self.time, of))
@@ -67,8 +63,7 @@ def draw(folder, drives):
     axes[0].set(title="Accelerate and brake", xlabel="time [s]", ylabel="speed [m/s]")
     axes[1].set(title="Step steer", xlabel="x [m]", ylabel="y [m]", aspect="equal")
     axes[2].set(title="Double lane change", xlabel="x [m]", ylabel="y [m]")
-    for side in axes:
-        side.spines[["top", "right"]].set_visible(False)
+    bare(axes)
     axes[0].legend(frameon=False)
     figure.savefig(folder / "handling.png", dpi=120)
 
@@ -91,12 +86,8 @@ def main():
     drives = {(manoeuvre, ground): Drive(folder / manoeuvre / ground)
               for manoeuvre in MANOEUVRES for ground in GROUNDS}
     rows = list(numbers(drives))
-    with open(folder / "handling.csv", "w", newline="") as file:
-        table = csv.writer(file)
-        table.writerow(["manoeuvre", "ground", "quantity", "value"])
-        table.writerows([*row[:3], f"{row[3]:.4g}"] for row in rows)
     draw(folder, drives)
-    print((folder / "handling.csv").read_text(), end="")
+    write(folder / "handling.csv", ["manoeuvre", "ground", "quantity", "value"], rows)
     check({row[:3]: row[3] for row in rows})
 
 
