@@ -112,6 +112,7 @@ bool MeshContact::Press(int i, const Question& question, NodeContact* contact) c
     contact->pressure +=
         sideways * damped * PassivePressure(question.soil.shear, question.gamma, before);
   }
+  if (!bears && contact->pushed == 0) return false;
   contact->normal_force_w = -contact->pressure * contact->area * normal_w;
   return true;
 }

@@ -7,7 +7,7 @@ source tests/setup.sh
 use_softsoil
 
 out=build/10_grousers
-export PYTHONDONTWRITEBYTECODE=1
+export PYTHONDONTWRITEBYTECODE=1 PYTHONPATH=examples
 mkdir -p "$out"
 cp examples/10_grousers/wheels.xml "$out/"
 /usr/bin/python3 examples/grouser_wheel.py 0.15735 0.165 > "$out/smooth.obj"

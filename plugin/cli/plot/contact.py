@@ -27,14 +27,18 @@ PRESSURE, SHEAR, ACROSS = "#c2401f", "#1f6f8b", "#8a8f3c"  # of the lines
 ARROW = "#0f3a49"
 MOST_ARROWS = 14  # along the patch
 COLUMNS = {"angle": "angle [deg]", "ahead": "ahead [m]", "lateral": "lateral [m]",
-           "pressure": "pressure [Pa]", "shear": "shear [Pa]", "across": "shear_across [Pa]"}
+           "pressure": "pressure [Pa]", "shear": "shear [Pa]", "across": "shear_across [Pa]", "area": "area [m^2]"}
 SAME_ANGLE, SAME_LATERAL = 0.01, 1e-5  # [deg], [m]  nodes of one row or one ring
+MOST_RINGS_PER_NODE = 0.4  # more are no rings
+CELL_PER_NODE = 1.5  # size of a cell over that of a node of a mesh
 CM, KPA = 1e-2, 1e3
 LEAST_PRESSURE, LEAST_SHEAR = 1.0, 0.1  # [kPa]  at the top of their scales
 
 
 class Patch:
-    """The nodes of one tire in contact, by ring around the tire and row across it."""
+    """The nodes of one tire in contact, by ring around the tire and row across it.
+
+    Nodes of a mesh stand in neither: seen from above, they are gathered in square cells."""
 
     def __init__(self, rows):
         values = {key: np.array([float(row[name]) for row in rows])
@@ -43,16 +47,33 @@ class Patch:
         if self.size == 0:
             return
         ring, laterals = grouped(values["lateral"], SAME_LATERAL)
-        row, angles = rows_across(values["angle"], ring)
-        self.angle, self.lateral = angles, laterals / CM
-        self.ahead = np.array([values["ahead"][row == k].mean() for k in range(len(angles))]) / CM
-        shape = (len(angles), len(laterals))
-        self.touches = np.zeros(shape, dtype=bool)
-        self.touches[row, ring] = True
+        if len(laterals) > MOST_RINGS_PER_NODE * self.size:
+            row, ring = self.set_cells(values)
+        else:
+            row, self.angle = rows_across(values["angle"], ring)
+            self.lateral = laterals / CM
+            self.ahead = np.array([values["ahead"][row == k].mean()
+                                   for k in range(len(self.angle))]) / CM
+        area = self.summed(values["area"], row, ring)
+        self.touches = area > 0
         for key in ("pressure", "shear", "across"):
-            stress = np.zeros(shape)
-            stress[row, ring] = values[key] / KPA
-            setattr(self, key, stress)
+            force = self.summed(values["area"] * values[key] / KPA, row, ring)
+            setattr(self, key, force / np.where(self.touches, area, 1))
+
+    def set_cells(self, values):
+        """Row and ring of each node."""
+        cell = CELL_PER_NODE * np.sqrt(values["area"].mean())
+        row, ring = (np.round(values[key] / cell).astype(int) for key in ("ahead", "lateral"))
+        self.ahead = cell / CM * np.arange(row.min(), row.max() + 1)
+        self.lateral = cell / CM * np.arange(ring.min(), ring.max() + 1)
+        order = np.argsort(values["ahead"])
+        self.angle = np.interp(self.ahead, values["ahead"][order] / CM, values["angle"][order])
+        return row - row.min(), ring - ring.min()
+
+    def summed(self, values, row, ring):
+        total = np.zeros((len(self.ahead), len(self.lateral)))
+        np.add.at(total, (row, ring), values)
+        return total
 
     def centre_line(self, stress):
         """Along the middle ring; halfway between the two middle ones where there is none."""
