@@ -63,9 +63,9 @@ class Patch:
     def set_cells(self, values):
         """Row and ring of each node."""
         cell = CELL_PER_NODE * np.sqrt(values["area"].mean())
-        row, ring = (np.round(values[key] / cell).astype(int) for key in ("ahead", "lateral"))
-        self.ahead = cell / CM * np.arange(row.min(), row.max() + 1)
-        self.lateral = cell / CM * np.arange(ring.min(), ring.max() + 1)
+        row, ring = (np.floor(values[key] / cell).astype(int) for key in ("ahead", "lateral"))
+        self.ahead = cell / CM * (np.arange(row.min(), row.max() + 1) + 0.5)
+        self.lateral = cell / CM * (np.arange(ring.min(), ring.max() + 1) + 0.5)
         order = np.argsort(values["ahead"])
         self.angle = np.interp(self.ahead, values["ahead"][order] / CM, values["angle"][order])
         return row - row.min(), ring - ring.min()
