@@ -70,6 +70,12 @@ TreadCurve CurveUnder(const Soil& soil, const TireShape& tread) {
           under(LugGap(lugs, tread.radius) * std::cos(lugs.angle)), lugs.height, lugs.void_share};
 }
 
+const TreadCurve& TreadCurves::In(int soil) {
+  if (soil != soil_) curve_ = CurveUnder(soils_[soil], tread_);
+  soil_ = soil;
+  return curve_;
+}
+
 TreadState Equilibrium(const TireSpring& spring, const TreadCurve& curve,
                        const PressedPoint& point) {
   if (curve.height == 0) {

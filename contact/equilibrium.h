@@ -3,7 +3,7 @@
 
 #include "contact/tire.h"
 #include "terrain/plate_curve.h"
-#include "terrain/soil.h"
+#include "terrain/soil_map.h"
 
 namespace softsoil {
 
@@ -49,6 +49,22 @@ struct TreadCurve {
 // The width of the plate is the lesser side of what presses: of the tread without lugs, else of a
 // lug, and of the gap between two.
 TreadCurve CurveUnder(const Soil& soil, const TireShape& tread);
+
+// The curves in all soils, each made when it is asked for: neighbours mostly lie in the same soil.
+class TreadCurves {
+ public:
+  // Both must outlive the object.
+  TreadCurves(const SoilMap& soils, const TireShape& tread) : soils_(soils), tread_(tread) {}
+
+  const SoilMap& soils() const { return soils_; }
+  const TreadCurve& In(int soil);  // valid until the next question
+
+ private:
+  const SoilMap& soils_;
+  const TireShape& tread_;
+  int soil_ = -1;  // whose curve it is
+  TreadCurve curve_{};
+};
 
 // Of a tread with lugs its mean pressure and the two that it is made of.
 struct TreadState : PressedState {

@@ -37,10 +37,9 @@ void AddForce(int i, const Vector3d& force_w, const TirePose& pose, PatchForces*
 
 }  // namespace
 
-void PushFlanks(const TireNodes& nodes, const TirePose& pose, const Soil& soil,
+void PushFlanks(const TireNodes& nodes, const TirePose& pose, const SoilMap& soils,
                 PatchForces* forces) {
   const Vector3d left_w = Left(pose);
-  const double gamma = UnitWeight(soil);
   const double spacing = forces->patch.spacing();
   ForEachRow(forces->contacts, nodes.rings, [&](const TreadRow& row) {
     const double share = Leftward(forces->contacts, row);
@@ -51,7 +50,9 @@ void PushFlanks(const TireNodes& nodes, const TirePose& pose, const Soil& soil,
     const Vector3d beyond_w =
         contact.point_w + std::copysign(to_the_edge + spacing, share) * left_w;
     const double height = forces->patch.At(beyond_w.x(), beyond_w.y()).height - contact.point_w.z();
-    const double passive = nodes.length[contact.node] * PassiveForce(soil.shear, gamma, height);
+    const Soil& soil = soils.At(beyond_w.x(), beyond_w.y());
+    const double passive =
+        nodes.length[contact.node] * PassiveForce(soil.shear, UnitWeight(soil), height);
     AddForce(edge, -share * passive * left_w, pose, forces);
   });
 }

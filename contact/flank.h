@@ -11,7 +11,7 @@ namespace softsoil {
 // one grid spacing beyond the edge stands above them. It is mobilised as the shear of these nodes
 // is (Slip(), terrain/shear.h) and so unloads and reverses with it. A crowned tread that merely
 // sinks slides outward on both edges: only what both have in common counts.
-void PushFlanks(const TireNodes& nodes, const TirePose& pose, const Soil& soil,
+void PushFlanks(const TireNodes& nodes, const TirePose& pose, const SoilMap& soils,
                 PatchForces* forces);
 
 }  // namespace softsoil

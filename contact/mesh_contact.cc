@@ -43,10 +43,17 @@ double HeightBefore(const Vector3d& node_w, const Vector3d& normal_w, const Surf
 struct MeshContact::Question {
   const TirePose& pose;
   const SurfacePatch& patch;
-  const Soil& soil;
-  double h;      // [s]
-  double gamma;  // [N/m^3]
-  PlateCurve curve;
+  const double h;  // [s]
+  TreadCurves curves;
+  // Of the node in question.
+  const Soil* soil = nullptr;
+  PlateCurve curve = {};
+
+  void SetPlace(const Vector3d& node_w, NodeContact* contact) {
+    contact->soil = curves.soils().NumberAt(node_w.x(), node_w.y());
+    soil = &curves.soils()[contact->soil];
+    curve = curves.In(contact->soil).below_lugs;
+  }
 };
 
 MeshContact::MeshContact(const Tire& tire, double node_spacing)
@@ -59,8 +66,8 @@ void MeshContact::Reset() {
   for (std::size_t i = 0; i < nodes_.size(); ++i) memory_.push_back({static_cast<int>(i), {0, 0}});
 }
 
-void MeshContact::Evaluate(const TirePose& pose, const Surface& surface, const Soil& soil, double h,
-                           PatchForces* forces) const {
+void MeshContact::Evaluate(const TirePose& pose, const Surface& surface, const SoilMap& soils,
+                           double h, PatchForces* forces) const {
   RequireUsable(pose);
   const Shadow shadow = ShadowOf(*tire_.mesh, {pose.centre_w, pose.frame_w});
   const double margin = surface.spacing();
@@ -70,15 +77,13 @@ void MeshContact::Evaluate(const TirePose& pose, const Surface& surface, const S
   forces->wrench.at_w = pose.centre_w;
   forces->contacts.clear();
   forces->surface.clear();
-  const Question question = {
-      pose, forces->patch,    soil,
-      h,    UnitWeight(soil), CurveUnder(soil.bearing, soil.unloading, tire_.shape.width)};
+  Question question = {pose, forces->patch, h, TreadCurves(soils, tire_.shape)};
   const Vector3d up_t = pose.frame_w.row(2);
   const double highest = forces->patch.highest() - pose.centre_w.z();
   for (std::size_t i = 0; i < nodes_.size(); ++i) {
     if (nodes_.position_t[i].dot(up_t) >= highest) continue;
     NodeContact contact{};
-    if (!Press(static_cast<int>(i), question, &contact)) continue;
+    if (!Press(static_cast<int>(i), &question, &contact)) continue;
     Rub(question, &contact);
     const Vector3d force_w = contact.normal_force_w + contact.shear_force_w;
     forces->wrench.force_w += force_w;
@@ -88,7 +93,8 @@ void MeshContact::Evaluate(const TirePose& pose, const Surface& surface, const S
   }
 }
 
-bool MeshContact::Press(int i, const Question& question, NodeContact* contact) const {
+bool MeshContact::Press(int i, Question* asked, NodeContact* contact) const {
+  const Question& question = *asked;
   const TirePose& pose = question.pose;
   const Vector3d arm_w = pose.frame_w * nodes_.position_t[i];
   const Vector3d node_w = pose.centre_w + arm_w, normal_w = pose.frame_w * nodes_.normal_t[i];
@@ -99,6 +105,7 @@ bool MeshContact::Press(int i, const Question& question, NodeContact* contact) c
   const bool bears = normal_w.z() < -kLeastDown && ground.height > node_w.z();
   if (!bears && before <= 0) return false;
 
+  asked->SetPlace(node_w, contact);
   contact->node = i;
   contact->point_w = node_w;
   contact->area = nodes_.area[i];
@@ -106,11 +113,11 @@ bool MeshContact::Press(int i, const Question& question, NodeContact* contact) c
   if (bears) contact->pressure = BearingShare(i, question, ground, contact);
   if (before > 0) {
     const double v = (pose.velocity_w + pose.angular_velocity_w.cross(arm_w)).dot(normal_w);
-    const double K = question.soil.shear.modulus;
+    const double K = question.soil->shear.modulus;
     contact->pushed = Push(memory_[i].pushed, v, question.h, K);
     const double damped = Push(contact->pushed, v, ShearLead(std::abs(v), K), K);
-    contact->pressure +=
-        sideways * damped * PassivePressure(question.soil.shear, question.gamma, before);
+    contact->pressure += sideways * damped *
+                         PassivePressure(question.soil->shear, UnitWeight(*question.soil), before);
   }
   if (!bears && contact->pushed == 0) return false;
   contact->normal_force_w = -contact->pressure * contact->area * normal_w;
@@ -142,7 +149,7 @@ double MeshContact::BearingShare(int i, const Question& question, const SurfaceP
 void MeshContact::Rub(const Question& question, NodeContact* contact) const {
   const int i = contact->node;
   const TirePose& pose = question.pose;
-  const Shear& shear = question.soil.shear;
+  const Shear& shear = question.soil->shear;
   const Vector3d tangent_w = pose.frame_w * nodes_.tangent_t[i];
   const Vector3d binormal_w = pose.frame_w * nodes_.binormal_t[i];
   const Vector3d slip_w =
@@ -160,7 +167,7 @@ void MeshContact::Rub(const Question& question, NodeContact* contact) const {
 
 // Of the area as seen from above; side faces do not press the soil down.
 double MeshContact::SlipSinkageOf(const Question& question, const NodeContact& c) const {
-  const Soil& soil = question.soil;
+  const Soil& soil = *question.soil;
   const double down = -(question.pose.frame_w * nodes_.normal_t[c.node]).z();
   const double capacity = BearingPressure(question.curve.k_e, question.curve.n, c.depth);
   if (soil.slip_sinkage == 0 || down <= 0 || capacity <= 0) return 0;

@@ -28,7 +28,7 @@ class MeshContact {
   const Tire& tire() const { return tire_; }
   const TireNodes& nodes() const { return nodes_; }
 
-  void Evaluate(const TirePose& pose, const Surface& surface, const Soil& soil, double h,
+  void Evaluate(const TirePose& pose, const Surface& surface, const SoilMap& soils, double h,
                 PatchForces* forces) const;
   void Commit(const PatchForces& forces);
 
@@ -39,7 +39,7 @@ class MeshContact {
  private:
   struct Question;
   // False if the node does not touch the ground.
-  bool Press(int node, const Question& question, NodeContact* contact) const;
+  bool Press(int node, Question* question, NodeContact* contact) const;
   double BearingShare(int node, const Question& question, const SurfacePoint& ground,
                       NodeContact* contact) const;
   void Rub(const Question& question, NodeContact* contact) const;

@@ -110,9 +110,9 @@ void Underside::DrawTriangle(const std::array<int, 3>& corners) {
 }
 
 void PlasticSinkageOfMesh(const Tire& tire, const TirePose& pose, const SurfacePatch& patch,
-                          const Soil& soil, std::vector<NodeSinkage>* sinkage) {
+                          const SoilMap& soils, std::vector<NodeSinkage>* sinkage) {
   sinkage->clear();
-  const PlateCurve curve = CurveUnder(soil.bearing, soil.unloading, tire.shape.width);
+  TreadCurves curves(soils, tire.shape);
   Underside underside;
   underside.Draw(*tire.mesh, {pose.centre_w, pose.frame_w}, patch);
   underside.Open();
@@ -123,8 +123,10 @@ void PlasticSinkageOfMesh(const Tire& tire, const TirePose& pose, const SurfaceP
       const double by_slip = patch.SlipSinkage(a, b);
       PressedPoint point{below, patch.Sinkage(a, b) - by_slip, 1, 1};
       point.loose = patch.Loose(a, b);
-      const auto left = LeftBehind(curve, Equilibrium(tire.spring, curve, point), point);
       const GridNode node{patch.first().i + a, patch.first().j + b};
+      const int soil = soils.NumberAt(node.i * patch.spacing(), node.j * patch.spacing());
+      const PlateCurve& curve = curves.In(soil).below_lugs;
+      const auto left = LeftBehind(curve, Equilibrium(tire.spring, curve, point), point);
       if (left) sinkage->push_back({node, by_slip + *left});
     }
   }

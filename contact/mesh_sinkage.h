@@ -48,6 +48,6 @@ class Underside {
 
 // PlasticSinkage() of a tire with a mesh: of its underside above each grid node.
 void PlasticSinkageOfMesh(const Tire& tire, const TirePose& pose, const SurfacePatch& patch,
-                          const Soil& soil, std::vector<NodeSinkage>* sinkage);
+                          const SoilMap& soils, std::vector<NodeSinkage>* sinkage);
 
 }  // namespace softsoil

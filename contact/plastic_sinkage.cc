@@ -55,9 +55,9 @@ std::optional<double> LeftBehind(const PlateCurve& curve, const PressedState& st
 }
 
 void PlasticSinkage(const Tire& tire, const TirePose& pose, const SurfacePatch& patch,
-                    const Soil& soil, std::vector<NodeSinkage>* sinkage) {
+                    const SoilMap& soils, std::vector<NodeSinkage>* sinkage) {
   sinkage->clear();
-  const TreadCurve curve = CurveUnder(soil, tire.shape);
+  TreadCurves curves(soils, tire.shape);
   for (int a = 0; a < patch.nodes_x(); ++a) {
     for (int b = 0; b < patch.nodes_y(); ++b) {
       const GridNode node{patch.first().i + a, patch.first().j + b};
@@ -67,6 +67,7 @@ void PlasticSinkage(const Tire& tire, const TirePose& pose, const SurfacePatch& 
       const double by_slip = patch.SlipSinkage(a, b), depth = patch.Sinkage(a, b) - by_slip;
       if (!PointBelow(tire.shape, pose, ground_w, depth, &point)) continue;
       point.loose = patch.Loose(a, b);
+      const TreadCurve& curve = curves.In(soils.NumberAt(ground_w.x(), ground_w.y()));
       const auto left = LeftBehindLug(tire, curve, point, IsBelowLug(tire.shape, pose, ground_w));
       if (left) sinkage->push_back({node, by_slip + *left});
     }

@@ -16,7 +16,7 @@ namespace softsoil {
 // nodes onto the grid instead would let the rut creep ahead of the wheel, and the motion
 // resistance would disappear.
 void PlasticSinkage(const Tire& tire, const TirePose& pose, const SurfacePatch& patch,
-                    const Soil& soil, std::vector<NodeSinkage>* sinkage);
+                    const SoilMap& soils, std::vector<NodeSinkage>* sinkage);
 
 // Depth [m] that stays of a point in its balance; nothing where the soil does not give way.
 std::optional<double> LeftBehind(const PlateCurve& curve, const PressedState& state,

@@ -5,9 +5,9 @@
 
 namespace softsoil {
 
-SoftWheels::SoftWheels(const Soil& soil, const GroundSettings& settings,
+SoftWheels::SoftWheels(const SoilMap& soils, const GroundSettings& settings,
                        UndisturbedHeight undisturbed, const std::vector<Tire>& tires)
-    : undisturbed_(soil, settings, std::move(undisturbed), static_cast<int>(tires.size())),
+    : undisturbed_(soils, settings, std::move(undisturbed), static_cast<int>(tires.size())),
       ground_(undisturbed_),
       plastic_(tires.size()) {
   for (const Tire& tire : tires) wheels_.push_back(ContactOf(tire, settings.grid_spacing));
@@ -31,7 +31,7 @@ const TireNodes& SoftWheels::nodes(int wheel) const {
 void SoftWheels::Evaluate(int wheel, const TirePose& pose, double h, PatchForces* forces) const {
   std::visit(
       [&](const auto& contact) {
-        contact.Evaluate(pose, ground_.surface(), ground_.soil(), h, forces);
+        contact.Evaluate(pose, ground_.surface(), ground_.soils(), h, forces);
       },
       wheels_[wheel]);
 }
@@ -42,7 +42,7 @@ void SoftWheels::Commit(const std::vector<TirePose>& poses, const std::vector<Pa
   for (int wheel = 0; wheel < size(); ++wheel) {
     if (ground_.settings().mode == SurfaceMode::kFlow) {
       const auto sink = tire(wheel).mesh != nullptr ? PlasticSinkageOfMesh : PlasticSinkage;
-      sink(tire(wheel), poses[wheel], forces[wheel].patch, ground_.soil(), &plastic_[wheel]);
+      sink(tire(wheel), poses[wheel], forces[wheel].patch, ground_.soils(), &plastic_[wheel]);
     }
     ground_.Reserve(wheel, forces[wheel].surface, plastic_[wheel]);
   }

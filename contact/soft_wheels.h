@@ -21,7 +21,7 @@ struct SoftWheelsState {
 class SoftWheels {
  public:
   // One tire per wheel. Throws InputError if a setting is out of range.
-  SoftWheels(const Soil& soil, const GroundSettings& settings, UndisturbedHeight undisturbed,
+  SoftWheels(const SoilMap& soils, const GroundSettings& settings, UndisturbedHeight undisturbed,
              const std::vector<Tire>& tires);
 
   int size() const { return static_cast<int>(wheels_.size()); }

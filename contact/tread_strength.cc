@@ -19,38 +19,36 @@ double Facing(const Lugs& lugs, const Mobilisation& mobilised) {
 
 class LuggedRow {
  public:
-  LuggedRow(const Tire& tire, const TireNodes& nodes, const Soil& soil, const TreadRow& row,
+  LuggedRow(const Tire& tire, const TireNodes& nodes, const SoilMap& soils, const TreadRow& row,
             std::vector<NodeContact>* contacts)
-      : tire_(tire), soil_(soil), row_(row), contacts_(*contacts) {
+      : tire_(tire), soils_(soils), row_(row), contacts_(*contacts) {
     const int node = contacts_[row.first].node;
     on_lug_ = nodes.on_lug[node];
     length_ = nodes.length[node];
-    gamma_ = UnitWeight(soil);
   }
 
   void Fill() {
     const double side_stress = SideStress();
-    if (on_lug_) {
-      FillSides(ShearStrength(soil_.shear, tire_.soil_friction, side_stress));
-      return;
-    }
-    FillSides(MohrCoulomb(soil_.shear, side_stress));
-    const double tan_phi = std::tan(soil_.shear.friction_angle);
+    FillSides([&](const Shear& soil) {
+      return on_lug_ ? ShearStrength(soil, tire_.soil_friction, side_stress)
+                     : MohrCoulomb(soil, side_stress);
+    });
+    if (on_lug_) return;
     double sliding = 0, wedge = 0;  // [N]
     for (int i = row_.first; i < row_.end; ++i) {
       NodeContact& c = contacts_[i];
-      if (c.engaged > 0) sliding += (soil_.shear.cohesion + c.pressure * tan_phi) * c.area;
+      if (c.engaged > 0) sliding += MohrCoulomb(soils_[c.soil].shear, c.pressure) * c.area;
       sliding += c.side_strength;
       c.strength += PassiveStrength(c);
       wedge += c.strength * c.area;
     }
     if (sliding > wedge) {
-      FillSides(0);
+      FillSides([](const Shear&) { return 0.0; });
       return;
     }
     for (int i = row_.first; i < row_.end; ++i) {
       NodeContact& c = contacts_[i];
-      c.strength = c.engaged > 0 ? soil_.shear.cohesion + c.pressure * tan_phi : 0;
+      c.strength = c.engaged > 0 ? MohrCoulomb(soils_[c.soil].shear, c.pressure) : 0;
     }
   }
 
@@ -58,7 +56,8 @@ class LuggedRow {
   // [Pa]  of the wedge before a lug, by area of the tread.
   double PassiveStrength(const NodeContact& c) const {
     const Lugs& lugs = tire_.shape.lugs;
-    return Facing(lugs, c.mobilised) * PassiveForce(soil_.shear, gamma_, c.engaged) /
+    const Soil& soil = soils_[c.soil];
+    return Facing(lugs, c.mobilised) * PassiveForce(soil.shear, UnitWeight(soil), c.engaged) /
            LugGap(lugs, tire_.shape.radius);
   }
   double SideStress() const {
@@ -69,35 +68,36 @@ class LuggedRow {
     const double width = tire_.shape.width;
     return softsoil::SideStress(load / (width * length_), tire_.shape.lugs.height, width);
   }
-  void FillSides(double strength) {
+  // strength(Shear) [Pa] of a side in the soil where it stands.
+  template <class Strength>
+  void FillSides(const Strength& strength) {
     for (const int edge : {row_.right, row_.left}) {
       if (edge < 0) continue;
       NodeContact& c = contacts_[edge];
       const int sides = row_.right == row_.left ? 2 : 1;
-      c.side_strength = sides * strength * std::max(0.0, c.engaged) * length_;
+      c.side_strength = sides * strength(soils_[c.soil].shear) * std::max(0.0, c.engaged) * length_;
     }
   }
 
   const Tire& tire_;
-  const Soil& soil_;
+  const SoilMap& soils_;
   TreadRow row_;
   std::vector<NodeContact>& contacts_;
   bool on_lug_;
-  double length_;  // [m]      along the circumference
-  double gamma_;   // [N/m^3]  unit weight
+  double length_;  // [m]  along the circumference
 };
 
 }  // namespace
 
-void FillStrength(const Tire& tire, const TireNodes& nodes, const Soil& soil,
+void FillStrength(const Tire& tire, const TireNodes& nodes, const SoilMap& soils,
                   std::vector<NodeContact>* contacts) {
   for (NodeContact& c : *contacts) {
-    c.strength = ShearStrength(soil.shear, tire.soil_friction, c.pressure);
+    c.strength = ShearStrength(soils[c.soil].shear, tire.soil_friction, c.pressure);
     c.side_strength = 0;
   }
   if (!tire.shape.lugs) return;
   ForEachRow(*contacts, nodes.rings,
-             [&](const TreadRow& row) { LuggedRow(tire, nodes, soil, row, contacts).Fill(); });
+             [&](const TreadRow& row) { LuggedRow(tire, nodes, soils, row, contacts).Fill(); });
 }
 
 }  // namespace softsoil

@@ -19,7 +19,7 @@ namespace softsoil {
 // - The lug drives a wedge out of it, PassiveForce() on the height of the block, and the carcass
 //   slips over the rest. So it is with lugs in firm soil. No surcharge: the carcass is no weight
 //   that would ride up with the wedge, and 2.74 is for "little to no surcharge".
-void FillStrength(const Tire& tire, const TireNodes& nodes, const Soil& soil,
+void FillStrength(const Tire& tire, const TireNodes& nodes, const SoilMap& soils,
                   std::vector<NodeContact>* contacts);
 
 }  // namespace softsoil

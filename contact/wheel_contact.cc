@@ -47,7 +47,7 @@ void WheelContact::Reset() {
   deepest_.assign(nodes_.on_lug.size(), 0);
 }
 
-void WheelContact::Evaluate(const TirePose& pose, const Surface& surface, const Soil& soil,
+void WheelContact::Evaluate(const TirePose& pose, const Surface& surface, const SoilMap& soils,
                             double h, PatchForces* forces) const {
   RequireUsable(pose);
   CopyFootprint(tire_.shape, pose, surface, &forces->patch);
@@ -56,18 +56,19 @@ void WheelContact::Evaluate(const TirePose& pose, const Surface& surface, const 
   forces->contacts.clear();
   forces->surface.clear();
   const Vector3d up_t = pose.frame_w.row(2);
-  const TreadCurve curve = CurveUnder(soil, tire_.shape);
+  TreadCurves curves(soils, tire_.shape);
   const double highest = forces->patch.highest() - pose.centre_w.z();
   for (std::size_t i = 0; i < nodes_.size(); ++i) {
     if (nodes_.position_t[i].dot(up_t) >= highest) continue;
     NodeContact contact{};
-    if (!Press(static_cast<int>(i), pose, forces->patch, curve, &contact)) continue;
-    Mobilise(pose, h, soil.shear.modulus, &contact);
+    if (!Press(static_cast<int>(i), pose, forces->patch, &curves, &contact)) continue;
+    Mobilise(pose, h, soils[contact.soil].shear.modulus, &contact);
     forces->contacts.push_back(contact);
   }
-  FillStrength(tire_, nodes_, soil, &forces->contacts);
+  FillStrength(tire_, nodes_, soils, &forces->contacts);
   for (NodeContact& contact : forces->contacts) {
-    contact.slip_sinkage = SlipSinkageOf(contact, curve, soil);
+    const Soil& soil = soils[contact.soil];
+    contact.slip_sinkage = SlipSinkageOf(contact, curves.In(contact.soil), soil);
     contact.shear_force_w = ShearForce(pose, soil.shear, contact);
     contact.flank_force_w.setZero();
     const Vector3d force_w = contact.normal_force_w + contact.shear_force_w;
@@ -75,11 +76,11 @@ void WheelContact::Evaluate(const TirePose& pose, const Surface& surface, const 
     forces->wrench.torque_w += (contact.point_w - pose.centre_w).cross(force_w);
     forces->surface.push_back({contact.point_w, -force_w, contact.slip_sinkage * contact.area});
   }
-  PushFlanks(nodes_, pose, soil, forces);
+  PushFlanks(nodes_, pose, soils, forces);
 }
 
 bool WheelContact::Press(int i, const TirePose& pose, const SurfacePatch& patch,
-                         const TreadCurve& curve, NodeContact* contact) const {
+                         TreadCurves* curves, NodeContact* contact) const {
   const Vector3d node_w = pose.centre_w + pose.frame_w * nodes_.position_t[i];
   const SurfacePoint ground = patch.At(node_w.x(), node_w.y());
   const double below = ground.height - node_w.z();
@@ -95,6 +96,7 @@ bool WheelContact::Press(int i, const TirePose& pose, const SurfacePatch& patch,
   point.deepening =
       std::max(Descent(radial_w, ground.undisturbed_x, ground.undisturbed_y), kLeastDescent);
   contact->node = i;
+  contact->soil = curves->soils().NumberAt(node_w.x(), node_w.y());
   double lifted = 0;  // [m]  off the ground below the tips
   if (const Lugs& lugs = tire_.shape.lugs) {
     const double deepest = deepest_[i] - ground.slip_sinkage;
@@ -103,6 +105,7 @@ bool WheelContact::Press(int i, const TirePose& pose, const SurfacePatch& patch,
     point.penetration = std::max(0.0, point.penetration - given_way);
     point.depth += point.deepening * given_way;
   }
+  const TreadCurve& curve = curves->In(contact->soil);
   const double penetration =
       Balance(curve, point, tire_.damping * ClosingSpeed(pose, ground), contact);
   contact->depth += ground.slip_sinkage;

@@ -10,7 +10,7 @@
 #include "contact/tire_nodes.h"
 #include "terrain/plate_curve.h"
 #include "terrain/shear.h"
-#include "terrain/soil.h"
+#include "terrain/soil_map.h"
 #include "terrain/surface.h"
 #include "terrain/surface_load.h"
 
@@ -38,6 +38,7 @@ Wrench About(const Wrench& wrench, const Eigen::Vector3d& at_w);
 // One node in contact.
 struct NodeContact {
   int node;                        // of TireNodes
+  int soil;                        // of the SoilMap: what the node stands in
   Eigen::Vector3d point_w;         // [m]   of the deformed tire
   Eigen::Vector3d normal_force_w;  // [N]   on the wheel, from the pressure
   Eigen::Vector3d shear_force_w;   // [N]   on the wheel
@@ -78,7 +79,7 @@ class WheelContact {
 
   // Forces at a pose, if the state is held for the step h [s]. Throws std::runtime_error if the
   // pose is not finite or more than 1000 km away.
-  void Evaluate(const TirePose& pose, const Surface& surface, const Soil& soil, double h,
+  void Evaluate(const TirePose& pose, const Surface& surface, const SoilMap& soils, double h,
                 PatchForces* forces) const;
 
   // Keeps the slip memory of the step; nodes that have left the ground forget theirs.
@@ -92,7 +93,7 @@ class WheelContact {
 
  private:
   // Normal contact of one node; false if it is above the ground.
-  bool Press(int node, const TirePose& pose, const SurfacePatch& patch, const TreadCurve& curve,
+  bool Press(int node, const TirePose& pose, const SurfacePatch& patch, TreadCurves* curves,
              NodeContact* contact) const;
   // Pressure and depth of a node, with or without lugs; how far [m] it stays pressed in.
   double Balance(const TreadCurve& curve, const PressedPoint& point, double damping,

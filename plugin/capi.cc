@@ -90,7 +90,7 @@ softsoilContact ContactResult(const softsoil::PatchPoint& point) {
 softsoilGround GroundResult(const SoilBinding& soil) {
   const softsoil::Ground& ground = soil.soft_wheels().ground();
   softsoilGround result = {};
-  result.soil = soil.plan().soil.name.c_str();
+  result.soil = soil.plan().soils[0].name.c_str();
   result.grid_spacing = ground.settings().grid_spacing;
   result.soil_clock = ground.settings().soil_clock;
   result.threads = ground.settings().threads;

@@ -64,9 +64,10 @@ GroundPlane FindGroundPlane(const mjModel* m, const std::string& name) {
                      Shown(std::round(degrees * 1000) / 1000));
   }
   const double slope_x = -normal_w.x() / normal_w.z(), slope_y = -normal_w.y() / normal_w.z();
-  return {geom, [=](double x, double y) {
-            return point_w.z() + slope_x * (x - point_w.x()) + slope_y * (y - point_w.y());
-          }};
+  const auto height = [=](double x, double y) {
+    return point_w.z() + slope_x * (x - point_w.x()) + slope_y * (y - point_w.y());
+  };
+  return {geom, height, point_w, normal_w};
 }
 
 }  // namespace softsoil

@@ -3,6 +3,7 @@
 
 #include <mujoco/mujoco.h>
 
+#include <Eigen/Core>
 #include <string>
 
 #include "terrain/surface.h"
@@ -12,6 +13,8 @@ namespace softsoil {
 struct GroundPlane {
   int geom;
   UndisturbedHeight height;
+  Eigen::Vector3d point_w = Eigen::Vector3d::Zero();  // [m]  of the plane
+  Eigen::Vector3d normal_w = Eigen::Vector3d::UnitZ();
 };
 
 // The plane geom with the given name, or the only one if the name is empty. It must be fixed to

@@ -28,13 +28,18 @@ struct TireNames {
   std::map<std::string, std::string> of_body;  // exceptions by name of the body
 };
 
+struct RegionNames {
+  std::string site, soil;
+};
+
 constexpr Limits kHistoryLimits = {0, 1e6};  // [MB]
 constexpr double kMegabyte = 1e6;            // [bytes]
 
 struct Settings {
-  std::string soil;    // name in the catalogue; empty: the model wants no soil
-  std::string ground;  // name of the plane geom; empty: the only one there is
-  NurbsBumps bumps;    // on that plane
+  std::string soil;                  // name in the catalogue; empty: the model wants no soil
+  std::vector<RegionNames> regions;  // of other soils, later ones on earlier ones
+  std::string ground;                // name of the plane geom; empty: the only one there is
+  NurbsBumps bumps;                  // on that plane
   TireNames tires;
   std::vector<std::string> wheels;                  // names of bodies; empty: find them
   std::vector<std::string> shapes;                  // names of geoms that press with their surface

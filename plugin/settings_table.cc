@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <set>
 #include <utility>
 
 #include "plugin/settings.h"
@@ -13,7 +14,7 @@ using V = SettingValue;
 constexpr SettingKind kText = SettingKind::kText, kNumber = SettingKind::kNumber,
                       kWholeNumber = SettingKind::kWholeNumber, kBodies = SettingKind::kBodies;
 constexpr Limits kNoLimits = {};  // of what is no number
-constexpr char kNoBumps[] = "none";
+constexpr char kNone[] = "none";
 
 // True for the second of two words, false for the first; throws for any other.
 bool Choose(const std::string& text, const char* first, const char* second) {
@@ -60,6 +61,23 @@ TireNames ParseTires(const std::string& text) {
   return tires;
 }
 
+std::vector<RegionNames> ParseRegions(const std::string& text) {
+  std::vector<RegionNames> regions;
+  if (text == kNone) return regions;
+  std::set<std::string> sites;
+  for (const std::string& entry : Entries(text)) {
+    const auto equals = entry.find('=');
+    if (equals == std::string::npos || equals == 0 || equals + 1 == entry.size()) {
+      throw InputError("must be SITE=SOIL entries or none, got \"" + entry + "\"");
+    }
+    regions.push_back({entry.substr(0, equals), entry.substr(equals + 1)});
+    if (sites.insert(regions.back().site).second) continue;
+    throw InputError("must have one soil for each site, got two for \"" + regions.back().site +
+                     "\"");
+  }
+  return regions;
+}
+
 // One number of a list.
 double Within(Limits limits, const char* name, const std::string& unit, const std::string& number) {
   double value = 0;
@@ -77,7 +95,7 @@ std::uint32_t ParseSeed(const std::string& text) {
 }
 
 NurbsBumps ParseBumps(const std::string& text) {
-  if (text == kNoBumps) return NurbsBumps{};
+  if (text == kNone) return NurbsBumps{};
   const std::vector<std::string> entries = Words(text, " \t\n,");
   const auto commas = static_cast<std::size_t>(std::count(text.begin(), text.end(), ','));
   if (commas + 1 != entries.size() || entries.size() < 2 || entries.size() > 3) {
@@ -100,6 +118,10 @@ const std::vector<Setting>& SettingTable() {
   static const std::vector<Setting> table = {
       {"soil", kText, kNoLimits, "", "none: no soft soil", "soil by its name in the catalogue",
        [](Settings& s, const V& v) { s.soil = v.text; }},
+      {"regions", kText, kNoLimits, "", kNone,
+       "other soils as SITE=SOIL entries: in the part of the ground that the box of a site cuts "
+       "out; later ones on earlier ones",
+       [](Settings& s, const V& v) { s.regions = ParseRegions(v.text); }},
       {"tire", kText, kNoLimits, "", kAutoTire,
        "tire of all wheels by its name in the catalogue, FAMILY@PRESSURE, BODY=TIRE entries, or "
        "both; auto: a stiff tire of the geom's size",
@@ -107,7 +129,7 @@ const std::vector<Setting>& SettingTable() {
       {"ground", kText, kNoLimits, "", "the only plane of the world",
        "name of the plane geom that is the undisturbed ground",
        [](Settings& s, const V& v) { s.ground = v.text; }},
-      {"bumps", kText, kNoLimits, "", kNoBumps,
+      {"bumps", kText, kNoLimits, "", kNone,
        "bumpy ground: HEIGHT,SPACING or HEIGHT,SPACING,SEED; most height [m] above and below the "
        "plane, along z, and distance [m] of the bumps",
        [](Settings& s, const V& v) { s.bumps = ParseBumps(v.text); }},

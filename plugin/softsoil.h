@@ -81,7 +81,7 @@ typedef struct softsoilContact_ {
 } softsoilContact;
 
 typedef struct softsoilGround_ {
-  const char* soil;     // name in the catalogue; lives as long as the soil
+  const char* soil;     // name in the catalogue, beyond all regions; lives as long as the soil
   double grid_spacing;  // [m]
   double soil_clock;    // [s]
   int threads;

@@ -43,7 +43,7 @@ std::size_t OwnBytes(const SoilState& state) {
 
 SoilBinding::SoilBinding(std::shared_ptr<const SoilPlan> plan)
     : plan_(std::move(plan)),
-      soft_wheels_(plan_->soil, plan_->terrain, plan_->ground.height, plan_->tires),
+      soft_wheels_(plan_->soils, plan_->terrain, plan_->ground.height, plan_->tires),
       shares_(plan_->wheels.size()) {
   for (const Wheel& wheel : plan_->wheels) tire_frame_b_.push_back(TireFrame(wheel.axis_b));
   if (HasRoomForMark(plan_->nuserdata) && plan_->history > 0) {

@@ -45,6 +45,19 @@ void AddSoil(const Soil& soil, IdentityList* list) {
   }
 }
 
+// Nothing where one soil is everywhere.
+void AddRegions(const std::vector<SoilRegion>& regions, IdentityList* list) {
+  for (std::size_t i = 0; i < regions.size(); ++i) {
+    const std::string of = "region " + std::to_string(i + 1);
+    for (int k = 0; k < 2; ++k) {
+      list->Add("centre of " + of, regions[i].centre[k]);
+      list->Add("side of " + of, regions[i].half_sides(0, k));
+      list->Add("side of " + of, regions[i].half_sides(1, k));
+    }
+    AddSoil(regions[i].soil, list);
+  }
+}
+
 void AddGround(const SoilPlan& plan, IdentityList* list) {
   const GroundSettings& s = plan.terrain;
   list->Add("grid_spacing", s.grid_spacing);
@@ -96,7 +109,7 @@ void AddWheel(const Wheel& wheel, const Tire& tire, IdentityList* list) {
 
 SoilIdentity IdentityOf(const SoilPlan& plan) {
   IdentityList list;
-  AddSoil(plan.soil, &list);
+  AddSoil(plan.soils[0], &list);
   AddGround(plan, &list);
   list.Add("nq", plan.nq);
   list.Add("nv", plan.nv);
@@ -104,6 +117,7 @@ SoilIdentity IdentityOf(const SoilPlan& plan) {
   for (std::size_t i = 0; i < plan.wheels.size(); ++i) {
     AddWheel(plan.wheels[i], plan.tires[i], &list);
   }
+  AddRegions(plan.soils.regions(), &list);
   return list.Take();
 }
 

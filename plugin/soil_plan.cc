@@ -9,9 +9,9 @@
 #include <string_view>
 
 #include "plugin/log.h"
-#include "plugin/models_folder.h"
 #include "plugin/rigid_contact.h"
 #include "plugin/shapes.h"
+#include "plugin/soil_regions.h"
 #include "plugin/time_step.h"
 #include "plugin/tire_choice.h"
 #include "terrain/input_error.h"
@@ -26,18 +26,18 @@ std::size_t Hash(const T* data, int count, std::size_t seed) {
   return seed * 31 + std::hash<std::string_view>()(view);
 }
 
-Soil ChooseSoil(const Settings& settings) {
-  const auto catalogue = SoilCatalogue().With(ModelsFolder() + "/soils", settings.soil_files);
-  return At("softsoil_soil", [&] { return catalogue.Find(settings.soil); });
-}
-
-void SayWheels(const SoilPlan& plan, bool named) {
+void SayWheels(const SoilPlan& plan, const Settings& settings) {
   std::string list;
   for (std::size_t i = 0; i < plan.wheels.size(); ++i) {
     list += (i == 0 ? "" : ", ") + plan.wheels[i].name + " (" + plan.tires[i].name + ")";
   }
-  Say("soil \"" + plan.soil.name + "\" under the wheels " +
-      (named ? "named in the model: " : "found by their geoms and hinges: ") + list);
+  std::string regions;
+  for (const RegionNames& names : settings.regions) {
+    regions += ", \"" + names.soil + "\" in the region \"" + names.site + "\"";
+  }
+  Say("soil \"" + plan.soils[0].name + "\"" + regions + " under the wheels " +
+      (!settings.wheels.empty() ? "named in the model: " : "found by their geoms and hinges: ") +
+      list);
 }
 
 void WarnOfRigidContact(const mjModel* m, const SoilPlan& plan) {
@@ -60,10 +60,12 @@ void WarnOfTimeStep(const mjModel* m, const SoilPlan& plan) {
   for (std::size_t i = 0; i < plan.wheels.size(); ++i) {
     if (plan.wheels[i].joint < 0 || plan.tires[i].name == kRigidTire) continue;
     const double load = StaticLoad(m, plan.wheels, plan.wheels[i]);
-    const double allowed = LongestStep(m, plan.wheels[i], plan.tires[i], plan.soil, load);
-    if (allowed >= longest) continue;
-    longest = allowed;
-    wheel = plan.wheels[i].name;
+    for (int k = 0; k < plan.soils.size(); ++k) {
+      const double allowed = LongestStep(m, plan.wheels[i], plan.tires[i], plan.soils[k], load);
+      if (allowed >= longest) continue;
+      longest = allowed;
+      wheel = plan.wheels[i].name;
+    }
   }
   if (m->opt.timestep <= longest / 2) return;
   Say("warning: the time step " + Shown(m->opt.timestep) + " s is more than half of about " +
@@ -115,9 +117,9 @@ std::size_t ContentOf(const mjModel* m) {
 SoilPlan MakePlan(const mjModel* m, const Settings& settings) {
   RequireUsable(m->opt);
   SoilPlan plan;
-  plan.soil = ChooseSoil(settings);
   plan.terrain = settings.terrain;
   plan.ground = FindGroundPlane(m, settings.ground);
+  plan.soils = ChooseSoils(m, plan.ground, settings);
   plan.bumps = settings.bumps;
   plan.ground.height = WithBumps(plan.ground.height, plan.bumps);
   plan.wheels = FindWheels(m, settings.wheels, settings.shapes.empty());
@@ -130,7 +132,7 @@ SoilPlan MakePlan(const mjModel* m, const Settings& settings) {
   plan.nq = m->nq;
   plan.nv = m->nv;
   plan.nuserdata = m->nuserdata;
-  SayWheels(plan, !settings.wheels.empty());
+  SayWheels(plan, settings);
   WarnOfRigidContact(m, plan);
   WarnOfTimeStep(m, plan);
   WarnOfGrid(plan);

@@ -9,12 +9,12 @@
 #include "plugin/ground_plane.h"
 #include "plugin/settings.h"
 #include "plugin/wheel_finder.h"
-#include "terrain/soil.h"
+#include "terrain/soil_map.h"
 
 namespace softsoil {
 
 struct SoilPlan {
-  Soil soil;
+  SoilMap soils;
   GroundSettings terrain;
   GroundPlane ground;  // with the bumps
   NurbsBumps bumps;

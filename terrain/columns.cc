@@ -58,22 +58,10 @@ bool Columns::Tile::IsOpen(int place, int volumes) const {
   return std::any_of(peak, peak + volumes, [](float p) { return p > 0; });
 }
 
-Columns::Columns(const Soil& soil, const ColumnSettings& settings, UndisturbedHeight undisturbed,
-                 std::unique_ptr<StressField> stress_field) {
-  const auto model = std::make_shared<Model>();
-  model->soil = soil;
-  model->settings = settings;
-  model->undisturbed = std::move(undisturbed);
-  model->stress_field = std::move(stress_field);
-  for (int k = 0; k < settings.volumes; ++k) {
-    const double middle = (k + 0.5) * settings.volume_height;
-    const SoilVolume volume = UndisturbedVolume(soil.compaction, InitialDensity(soil, middle));
-    model->volumes.push_back(volume);
-    model->yield_stress = k == 0 ? volume.preconsolidation_stress
-                                 : std::min(model->yield_stress, volume.preconsolidation_stress);
-  }
-  model_ = model;
-}
+Columns::Columns(const SoilMap& soils, const ColumnSettings& settings,
+                 UndisturbedHeight undisturbed, std::unique_ptr<StressField> stress_field)
+    : model_(std::make_shared<Model>(Model{ColumnProfiles(soils, settings), std::move(undisturbed),
+                                           std::move(stress_field)})) {}
 
 PeriodResult Columns::Advance(const SurfaceLoad& load, double period) {
   // All that may fail comes first.
@@ -94,15 +82,15 @@ PeriodResult Columns::Advance(const SurfaceLoad& load, double period) {
   std::vector<TileIndex> open_tiles;
   open_tiles.reserve(visits.size());
 
-  const int volumes = model_->settings.volumes;
+  const int volumes = settings().volumes;
   for (std::size_t i = 0; i < visits.size(); ++i) {
     const Visit& visit = visits[i];
     const Tile& tile = *tiles_.Find(visit.tile);
     if (tiles[i] != nullptr) {
-      const double energy = Compact(*tiles[i], visit.place, &stress[i * volumes], period);
+      const double energy = Compact(*tiles[i], visit, &stress[i * volumes], period);
       if (visit.source >= 0) result.energy[visit.source] += energy;
     }
-    result.compaction.push_back({NodeAt(visit.tile, visit.place), Sinkage(tile, visit.place)});
+    result.compaction.push_back({NodeAt(visit.tile, visit.place), Sinkage(tile, visit)});
     if (tiles[i] == nullptr || !tile.IsOpen(visit.place, volumes)) continue;
     if (open_tiles.empty() || !(open_tiles.back() == visit.tile)) open_tiles.push_back(visit.tile);
     const std::size_t lowest = std::size_t(visit.place + 1) * volumes - 1;
@@ -113,24 +101,28 @@ PeriodResult Columns::Advance(const SurfaceLoad& load, double period) {
 }
 
 std::vector<Columns::Visit> Columns::ColumnsToVisit(const SurfaceLoad& load) const {
-  const LoadReach reach(load, model_->soil.concentration_factor);
-  const double dx = model_->settings.spacing, yield_stress = model_->yield_stress;
+  const LoadReach reach(load, model_->profiles.farthest_reaching_factor());
+  const double dx = settings().spacing;
   std::vector<Visit> visits;
-  reach.ForEachRectangle(yield_stress, [&](double x0, double x1, double y0, double y1) {
-    for (int i = static_cast<int>(std::ceil(x0 / dx)); i * dx <= x1; ++i) {
-      for (int j = static_cast<int>(std::ceil(y0 / dx)); j * dx <= y1; ++j) {
-        const LoadReach::Bound bound = reach.At(i * dx, j * dx);
-        if (bound.stress < yield_stress) continue;
-        visits.push_back({TileOf({i, j}), PlaceInTile({i, j}), bound.source});
-      }
-    }
-  });
+  reach.ForEachRectangle(
+      model_->profiles.least_yield_stress(), [&](double x0, double x1, double y0, double y1) {
+        for (int i = static_cast<int>(std::ceil(x0 / dx)); i * dx <= x1; ++i) {
+          for (int j = static_cast<int>(std::ceil(y0 / dx)); j * dx <= y1; ++j) {
+            const LoadReach::Bound bound = reach.At(i * dx, j * dx);
+            if (bound.stress < model_->profiles.least_yield_stress()) continue;
+            const int soil = model_->profiles.SoilAt({i, j});
+            if (bound.stress < model_->profiles[soil].yield_stress) continue;
+            visits.push_back({TileOf({i, j}), PlaceInTile({i, j}), soil, bound.source});
+          }
+        }
+      });
   for (const TileIndex& index : open_tiles_) {
     const Tile& tile = *tiles_.Find(index);
     for (int place = 0; place < kColumnsPerTile; ++place) {
-      if (!tile.IsOpen(place, model_->settings.volumes)) continue;
+      if (!tile.IsOpen(place, settings().volumes)) continue;
       const GridNode node = NodeAt(index, place);
-      visits.push_back({index, place, reach.At(node.i * dx, node.j * dx).source});
+      const int source = reach.At(node.i * dx, node.j * dx).source;
+      visits.push_back({index, place, model_->profiles.SoilAt(node), source});
     }
   }
   const auto before = [](const Visit& a, const Visit& b) {
@@ -143,8 +135,8 @@ std::vector<Columns::Visit> Columns::ColumnsToVisit(const SurfaceLoad& load) con
 }
 
 ColumnBatch Columns::Geometry(const std::vector<Visit>& visits, const SurfaceLoad& load) const {
-  const double dx = model_->settings.spacing;
-  const int volumes = model_->settings.volumes;
+  const double dx = settings().spacing;
+  const int volumes = settings().volumes;
   std::map<std::pair<int, int>, double> pressure;
   for (const NodeForce& f : load) pressure[{f.node.i, f.node.j}] -= f.force_w.z() / (dx * dx);
 
@@ -157,12 +149,13 @@ ColumnBatch Columns::Geometry(const std::vector<Visit>& visits, const SurfaceLoa
     batch.y.push_back(node.j * dx);
     const auto own = pressure.find({node.i, node.j});
     batch.surface_pressure.push_back(own != pressure.end() ? own->second : 0.0);
+    batch.soil.push_back(visits[i].soil);
 
     const Tile& tile = *tiles_.Find(visits[i].tile);
     double bottom = tile.base[visits[i].place];
     for (int k = volumes - 1; k >= 0; --k) {
       const std::size_t index = std::size_t(visits[i].place) * volumes + k;
-      const double height = model_->VolumeMass(k) / tile.density[index];
+      const double height = model_->profiles.VolumeMass(visits[i].soil, k) / tile.density[index];
       batch.z[i * volumes + k] = bottom + height / 2;
       bottom += height;
     }
@@ -172,7 +165,7 @@ ColumnBatch Columns::Geometry(const std::vector<Visit>& visits, const SurfaceLoa
 
 std::vector<Columns::Tile*> Columns::TilesToWrite(const std::vector<Visit>& visits,
                                                   const std::vector<float>& stress) {
-  const int volumes = model_->settings.volumes;
+  const int volumes = settings().volumes;
   std::vector<Tile*> tiles;
   for (std::size_t i = 0; i < visits.size(); ++i) {
     const Tile& tile = *tiles_.Find(visits[i].tile);
@@ -186,44 +179,47 @@ std::vector<Columns::Tile*> Columns::TilesToWrite(const std::vector<Visit>& visi
   return tiles;
 }
 
-double Columns::Compact(Tile& tile, int place, const float* stress, double period) const {
-  const double area = model_->settings.spacing * model_->settings.spacing;
+double Columns::Compact(Tile& tile, const Visit& visit, const float* stress, double period) const {
+  const Compaction& soil = model_->profiles.CompactionOf(visit.soil);
+  const double area = settings().spacing * settings().spacing;
   double energy = 0;
-  for (int k = 0; k < model_->settings.volumes; ++k) {
-    const std::size_t index = std::size_t(place) * model_->settings.volumes + k;
+  for (int k = 0; k < settings().volumes; ++k) {
+    const std::size_t index = std::size_t(visit.place) * settings().volumes + k;
     SoilVolume volume = tile.Load(index);
     const double before = volume.density;
-    softsoil::Advance(model_->soil.compaction, stress[k], period, volume);
-    energy +=
-        CompactionEnergy(stress[k], before, volume.density) * area * model_->VolumeMass(k) / before;
+    softsoil::Advance(soil, stress[k], period, volume);
+    energy += CompactionEnergy(stress[k], before, volume.density) * area *
+              model_->profiles.VolumeMass(visit.soil, k) / before;
     tile.Store(index, volume);
   }
   return energy;
 }
 
-double Columns::Sinkage(const Tile& tile, int place) const {
-  const std::vector<SoilVolume>& undisturbed = model_->volumes;
+double Columns::Sinkage(const Tile& tile, const Visit& visit) const {
+  const std::vector<SoilVolume>& undisturbed = model_->profiles[visit.soil].volumes;
   double strain = 0;
   for (std::size_t k = 0; k < undisturbed.size(); ++k) {
-    strain += 1 - undisturbed[k].density / tile.density[place * undisturbed.size() + k];
+    strain += 1 - undisturbed[k].density / tile.density[visit.place * undisturbed.size() + k];
   }
-  return model_->settings.volume_height * strain;
+  return settings().volume_height * strain;
 }
 
 Columns::Tile Columns::MakeTile(TileIndex index) const {
-  const ColumnSettings& settings = model_->settings;
-  const std::size_t count = std::size_t(kColumnsPerTile) * settings.volumes;
+  const ColumnSettings& s = settings();
+  const std::size_t count = std::size_t(kColumnsPerTile) * s.volumes;
   Tile tile;
   tile.density.resize(count);
   tile.preconsolidation_density.resize(count);
   tile.preconsolidation_stress.resize(count);
   tile.peak_density.resize(count);
-  for (std::size_t k = 0; k < count; ++k) tile.Store(k, model_->volumes[k % settings.volumes]);
-  const double depth = settings.volumes * settings.volume_height;
+  const double depth = s.volumes * s.volume_height;
   for (int place = 0; place < kColumnsPerTile; ++place) {
     const GridNode node = NodeAt(index, place);
-    tile.base[place] =
-        model_->undisturbed(node.i * settings.spacing, node.j * settings.spacing) - depth;
+    const ColumnProfile& profile = model_->profiles[model_->profiles.SoilAt(node)];
+    for (int k = 0; k < s.volumes; ++k) {
+      tile.Store(std::size_t(place) * s.volumes + k, profile.volumes[k]);
+    }
+    tile.base[place] = model_->undisturbed(node.i * s.spacing, node.j * s.spacing) - depth;
   }
   return tile;
 }
@@ -237,7 +233,7 @@ std::size_t Columns::MemoryBytes() const { return tiles_.size() * sizeof(Tile) +
 std::size_t Columns::VolumeBytes() const { return volume_count() * kVolumeBytes; }
 
 std::size_t Columns::BytesCopied() const {
-  const std::size_t volumes = std::size_t(kColumnsPerTile) * model_->settings.volumes;
+  const std::size_t volumes = std::size_t(kColumnsPerTile) * settings().volumes;
   return tiles_.copied() * (sizeof(Tile) + volumes * kVolumeBytes) + tiles_.bytes_copied_beside();
 }
 
@@ -252,7 +248,7 @@ void Columns::Write(StateWriter& writer) const {
 }
 
 void Columns::Read(StateReader& reader) {
-  const std::size_t volumes = std::size_t(kColumnsPerTile) * model_->settings.volumes;
+  const std::size_t volumes = std::size_t(kColumnsPerTile) * settings().volumes;
   const auto read = [&](StateReader& from, Tile& tile) {
     tile.density = from.GetAll<double>();
     for (auto* values :
@@ -282,7 +278,7 @@ bool Columns::IsSound(const Tile& tile, std::size_t volumes) {
 std::vector<double> Columns::Densities(GridNode node) const {
   const Tile* tile = tiles_.Find(TileOf(node));
   if (tile == nullptr) return {};
-  const int volumes = model_->settings.volumes;
+  const int volumes = settings().volumes;
   const auto first = tile->density.begin() + PlaceInTile(node) * volumes;
   return {first, first + volumes};
 }

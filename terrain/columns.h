@@ -5,17 +5,11 @@
 #include <memory>
 #include <vector>
 
-#include "terrain/soil.h"
+#include "terrain/column_profiles.h"
 #include "terrain/stress_field.h"
 #include "terrain/surface.h"
 
 namespace softsoil {
-
-struct ColumnSettings {
-  double spacing;        // [m]  of the grid, > 0
-  double volume_height;  // [m]  initial height w of a volume, > 0
-  int volumes;           // [-]  per column, > 0
-};
 
 // What one soil period did.
 struct PeriodResult {
@@ -31,7 +25,8 @@ PeriodResult ReadPeriodResult(StateReader& reader);  // throws InputError
 class Columns {
  public:
   Columns() = default;  // below no ground; to be assigned to
-  Columns(const Soil& soil, const ColumnSettings& settings, UndisturbedHeight undisturbed,
+  // The stress field has the concentration factors of the soils.
+  Columns(const SoilMap& soils, const ColumnSettings& settings, UndisturbedHeight undisturbed,
           std::unique_ptr<StressField> stress_field);
 
   // Holds the load on the ground for `period` [s]: stress -> density -> heights.
@@ -42,7 +37,7 @@ class Columns {
   PeriodResult Advance(const SurfaceLoad& load, double period);
 
   std::size_t column_count() const { return tiles_.size() * kColumnsPerTile; }
-  std::size_t volume_count() const { return column_count() * model_->settings.volumes; }
+  std::size_t volume_count() const { return column_count() * settings().volumes; }
   std::size_t MemoryBytes() const;
   std::size_t VolumeBytes() const;  // part of it that grows with the number of volumes
 
@@ -58,14 +53,9 @@ class Columns {
   static constexpr int kColumnsPerTile = kTileSide * kTileSide;
   // What never changes.
   struct Model {
-    Soil soil;
-    ColumnSettings settings;
+    ColumnProfiles profiles;
     UndisturbedHeight undisturbed;
-    std::vector<SoilVolume> volumes;  // of any undisturbed column, from the top down
-    double yield_stress;              // [Pa]  of the weakest of them
     std::unique_ptr<StressField> stress_field;
-    // Mass [kg/m^2] of the volume k per area of its column; compaction does not change it.
-    double VolumeMass(int k) const { return settings.volume_height * volumes[k].density; }
   };
   // 20 bytes per volume: density in double, for it creeps in small steps; the rest in float.
   // Volume k of the column at `place` has the index place * volumes + k, k from the top down.
@@ -82,9 +72,11 @@ class Columns {
   struct Visit {
     TileIndex tile;
     int place;
+    int soil;
     int source;  // whose load presses most on the column; -1 where none reaches
   };
 
+  const ColumnSettings& settings() const { return model_->profiles.settings(); }
   std::vector<Visit> ColumnsToVisit(const SurfaceLoad& load) const;
   ColumnBatch Geometry(const std::vector<Visit>& visits, const SurfaceLoad& load) const;
   // By visit the tile to write to; null where the column stays as it is, so that its tile may stay
@@ -92,8 +84,8 @@ class Columns {
   std::vector<Tile*> TilesToWrite(const std::vector<Visit>& visits,
                                   const std::vector<float>& stress);
   // Returns the compaction energy [J].
-  double Compact(Tile& tile, int place, const float* stress, double period) const;
-  double Sinkage(const Tile& tile, int place) const;
+  double Compact(Tile& tile, const Visit& visit, const float* stress, double period) const;
+  double Sinkage(const Tile& tile, const Visit& visit) const;
   Tile MakeTile(TileIndex index) const;
   Tile& Touch(TileIndex index);
   // Whether a tile could be that of a simulation.

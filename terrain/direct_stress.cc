@@ -126,11 +126,13 @@ SOFTSOIL_SIMD void SumForces(const Law& law, const ForceOnColumn* forces, int co
 
 class DirectStress : public StressField {
  public:
-  explicit DirectStress(const StressSettings& settings)
-      : law_{static_cast<float>(settings.concentration_factor),
-             static_cast<float>(1 / (settings.near_field_radius * settings.near_field_radius)),
-             FitCosinePower(settings.concentration_factor)},
-        threads_(settings.threads) {}
+  explicit DirectStress(const StressSettings& settings) : threads_(settings.threads) {
+    const double near = settings.near_field_radius;
+    for (const double nu : settings.concentration_factors) {
+      laws_.push_back(
+          {static_cast<float>(nu), static_cast<float>(1 / (near * near)), FitCosinePower(nu)});
+    }
+  }
 
   void VerticalStress(const ColumnBatch& batch, const SurfaceLoad& load,
                       std::vector<float>* stress) const override {
@@ -145,7 +147,7 @@ class DirectStress : public StressField {
   void StressOfColumn(const ColumnBatch& batch, const SurfaceLoad& load, int column,
                       float* stress) const;
 
-  Law law_;
+  std::vector<Law> laws_;  // by soil
   int threads_;
 };
 
@@ -177,16 +179,17 @@ std::vector<ForceOnColumn> Reaching(const SurfaceLoad& load, const Law& law, dou
 
 void DirectStress::StressOfColumn(const ColumnBatch& batch, const SurfaceLoad& load, int column,
                                   float* stress) const {
+  const Law& law = laws_[batch.soil[column]];
   const double* z = &batch.z[std::size_t(column) * batch.volumes];
   const std::vector<Lanes> heights = InLanes(z, batch.volumes);
   const float own = static_cast<float>(batch.surface_pressure[column]);
   for (std::size_t block = 0; block < heights.size(); ++block) {
     const int first = static_cast<int>(block) * kLanes;
     const int last = std::min(first + kLanes, batch.volumes) - 1;
-    const std::vector<ForceOnColumn> forces = Reaching(load, law_, batch.x[column], batch.y[column],
+    const std::vector<ForceOnColumn> forces = Reaching(load, law, batch.x[column], batch.y[column],
                                                        z[0], static_cast<float>(z[last] - z[0]));
     Lanes sum, near;
-    SumForces(law_, forces.data(), static_cast<int>(forces.size()), heights[block], &sum, &near);
+    SumForces(law, forces.data(), static_cast<int>(forces.size()), heights[block], &sum, &near);
     for (int k = first; k <= last; ++k) {
       stress[k] = near.value[k - first] != 0 ? own : sum.value[k - first];
     }

@@ -21,7 +21,7 @@ int FlowField::Find(GridNode node) {
   if (number < 0) {
     const NodeLayers layers = surface_.Layers(node);
     number = static_cast<int>(nodes_.size());
-    nodes_.push_back({node, layers.firm, layers.moved, layers.moved});
+    nodes_.push_back({node, layers.firm, layers.moved, layers.moved, slopes_.SoilAt(node)});
   }
   return number;
 }
@@ -144,16 +144,17 @@ void FlowField::TakeFromAround(const std::vector<Taker>& takers, int reach) {
 // What the neighbours get. Loose soil goes first; firm soil follows where a wall is too high.
 FlowField::Flows FlowField::Outflow(int k) {
   const double spacing = surface_.spacing();
+  const SoilSlope slope = slopes_[nodes_[k].soil];
   Flows loose{}, firm{};
   double wanted = 0;
   for (int d = 0; d < kDirections; ++d) {
     const int n = Neighbour(k, d);
     if (nodes_[n].is_covered) continue;
     const double way = spacing * Length(kSteps[d]), drop = nodes_[k].Height() - nodes_[n].Height();
-    const double stands = slope_.repose * way, flat = kTolerance * way;
+    const double stands = slope.repose * way, flat = kTolerance * way;
     if (drop > stands + flat) loose[d] = kShare * (drop - stands);
-    if (drop > std::max(stands, slope_.wall) + flat) {
-      firm[d] = kShare * (drop - std::max(stands, slope_.wall));
+    if (drop > std::max(stands, slope.wall) + flat) {
+      firm[d] = kShare * (drop - std::max(stands, slope.wall));
     }
     wanted += loose[d];
   }

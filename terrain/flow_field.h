@@ -3,24 +3,21 @@
 
 #include <Eigen/Core>
 #include <array>
+#include <utility>
 #include <vector>
 
 #include "terrain/compacted_surface.h"
 #include "terrain/node_table.h"
+#include "terrain/soil_slopes.h"
 
 namespace softsoil {
-
-// How steep soil stands between two grid nodes.
-struct SoilSlope {
-  double repose;  // [-]  tangent of the angle of repose: loose soil
-  double wall;    // [m]  besides, firm soil stands as a wall so high
-};
 
 // A scratch copy of some nodes, loaded from the surface as they are needed. All is done in a fixed
 // order, and in thicknesses [m] on cells of equal area, so that what one node loses another gains.
 class FlowField {
  public:
-  FlowField(const CompactedSurface& surface, SoilSlope slope) : surface_(surface), slope_(slope) {}
+  FlowField(const CompactedSurface& surface, SoilSlopes slopes)
+      : surface_(surface), slopes_(std::move(slopes)) {}
 
   // The number of a node in this field.
   int Find(GridNode node);
@@ -61,8 +58,9 @@ class FlowField {
   struct Node {
     GridNode node;
     double firm, moved, before;  // [m]
-    double change = 0;           // [m]  of the present sweep
-    double asked = 0;            // [m]  of it, by takers
+    int soil;
+    double change = 0;  // [m]  of the present sweep
+    double asked = 0;   // [m]  of it, by takers
     bool is_covered = false, is_disturbed = false, is_changing = false;
     std::array<int, kDirections> neighbours = {-1, -1, -1, -1, -1, -1, -1, -1};  // -1: not loaded
 
@@ -86,7 +84,7 @@ class FlowField {
   void Sweep();
 
   CompactedSurface surface_;
-  SoilSlope slope_;
+  SoilSlopes slopes_;
   std::vector<Node> nodes_;
   NodeTable<int> numbers_;
   std::vector<int> disturbed_, changing_;

@@ -26,18 +26,25 @@ const GroundSettings& Checked(const GroundSettings& s) {
   return s;
 }
 
+std::vector<double> ConcentrationFactors(const SoilMap& soils) {
+  std::vector<double> factors;
+  for (int k = 0; k < soils.size(); ++k) factors.push_back(soils[k].concentration_factor);
+  return factors;
+}
+
 }  // namespace
 
-Ground::Ground(const Soil& soil, const GroundSettings& settings, UndisturbedHeight undisturbed,
+Ground::Ground(const SoilMap& soils, const GroundSettings& settings, UndisturbedHeight undisturbed,
                int sources)
-    : soil_(std::make_shared<Soil>(soil)),
+    : soils_(soils),
       settings_(Checked(settings)),
       surface_(settings.grid_spacing, settings.mode, undisturbed),
-      columns_(soil, {settings.grid_spacing, settings.volume_height, settings.volumes}, undisturbed,
-               MakeDirectStress({soil.concentration_factor,
+      columns_(soils, {settings.grid_spacing, settings.volume_height, settings.volumes},
+               undisturbed,
+               MakeDirectStress({ConcentrationFactors(soils),
                                  kNearFieldSpacings * settings.grid_spacing, settings.threads})),
       clock_(settings.soil_clock),
-      flow_(soil, settings.grid_spacing, sources),
+      flow_(soils, settings.grid_spacing, sources),
       work_(sources) {
   for (int source = 0; source < sources; ++source) gatherers_.emplace_back(settings.grid_spacing);
 }

@@ -9,9 +9,9 @@
 #include "terrain/columns.h"
 #include "terrain/compacted_surface.h"
 #include "terrain/limits.h"
-#include "terrain/soil.h"
 #include "terrain/soil_clock.h"
 #include "terrain/soil_flow.h"
+#include "terrain/soil_map.h"
 #include "terrain/surface.h"
 #include "terrain/surface_load.h"
 
@@ -44,10 +44,10 @@ struct CompactionWork {
 class Ground {
  public:
   // Throws InputError if a setting is out of range.
-  Ground(const Soil& soil, const GroundSettings& settings, UndisturbedHeight undisturbed,
+  Ground(const SoilMap& soils, const GroundSettings& settings, UndisturbedHeight undisturbed,
          int sources);
 
-  const Soil& soil() const { return *soil_; }
+  const SoilMap& soils() const { return soils_; }
   const GroundSettings& settings() const { return settings_; }
   const Surface& surface() const { return surface_; }
 
@@ -125,7 +125,7 @@ class Ground {
   void CountWork(const PeriodResult& result, double period);
   const Columns& LatestColumns() const;
 
-  std::shared_ptr<const Soil> soil_;
+  SoilMap soils_;
   GroundSettings settings_;
   Surface surface_;
   Columns columns_;

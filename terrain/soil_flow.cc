@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "terrain/repose.h"
+#include "terrain/soil_slopes.h"
 
 namespace softsoil {
 namespace {
@@ -11,11 +11,6 @@ namespace {
 constexpr double kReach = 0.5;     // [m]      half a wide tire and its berm
 constexpr int kSweeps = 10;        // per tick
 constexpr double kMostDrag = 100;  // [-]  force along the ground per weight that still tells
-
-SoilSlope SlopeOf(const Soil& soil) {
-  const double gamma = kGravity * soil.compaction.initial_density;
-  return {std::tan(AngleOfRepose(soil)), CriticalHeight(soil.shear, gamma, kPi / 2)};
-}
 
 double ReadThickness(StateReader& reader) {
   const double thickness = reader.GetFinite();
@@ -61,8 +56,8 @@ void SoilFlow::Footprint::Spread(FlowField* field) const {
   }
 }
 
-SoilFlow::SoilFlow(const Soil& soil, double spacing, int sources)
-    : slope_(SlopeOf(soil)),
+SoilFlow::SoilFlow(const SoilMap& soils, double spacing, int sources)
+    : soils_(soils),
       reach_(std::max(1, static_cast<int>(std::lround(kReach / spacing)))),
       pushed_(sources) {}
 
@@ -101,7 +96,7 @@ SoilFlow::Footprint SoilFlow::FootprintOf(int source, const CompactedSurface& su
 }
 
 SoilFlow::Step SoilFlow::Tick(const CompactedSurface& surface, const SurfaceLoad& load) const {
-  FlowField field(surface, slope_);
+  FlowField field(surface, SoilSlopes(soils_, surface.spacing()));
   std::vector<Footprint> footprints;
   for (std::size_t source = 0; source < pushed_.size(); ++source) {
     footprints.push_back(FootprintOf(static_cast<int>(source), surface, load, &field));

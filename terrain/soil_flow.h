@@ -7,7 +7,7 @@
 
 #include "terrain/flow_field.h"
 #include "terrain/node_table.h"
-#include "terrain/soil.h"
+#include "terrain/soil_map.h"
 #include "terrain/surface_load.h"
 
 namespace softsoil {
@@ -22,7 +22,7 @@ namespace softsoil {
 class SoilFlow {
  public:
   // spacing [m] of the grid.
-  SoilFlow(const Soil& soil, double spacing, int sources);
+  SoilFlow(const SoilMap& soils, double spacing, int sources);
 
   // Soil that a source has pushed away from a node. Cannot fail after Reserve() for the same nodes,
   // which changes nothing else.
@@ -49,7 +49,7 @@ class SoilFlow {
   Footprint FootprintOf(int source, const CompactedSurface& surface, const SurfaceLoad& load,
                         FlowField* field) const;
 
-  SoilSlope slope_;
+  SoilMap soils_;
   int reach_;                              // [nodes]  from where soil is taken back
   std::vector<NodeTable<double>> pushed_;  // [m]  by source
   std::vector<GridNode> restless_;

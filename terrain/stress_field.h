@@ -15,6 +15,7 @@ struct ColumnBatch {
   std::vector<double> x, y;              // [m]  one per column
   std::vector<double> z;                 // [m]  centre of each volume, column by column
   std::vector<double> surface_pressure;  // [Pa]  vertical load on the column's own node
+  std::vector<int> soil;                 // whose concentration factor counts
 
   std::size_t columns() const { return x.size(); }
 };
@@ -31,9 +32,9 @@ class StressField {
 };
 
 struct StressSettings {
-  double concentration_factor;  // [-]  nu, 3 to 6
-  double near_field_radius;     // [m]  R_min
-  int threads;                  // at most, >= 1; no influence on results
+  std::vector<double> concentration_factors;  // [-]  nu, 3 to 6, by soil
+  double near_field_radius;                   // [m]  R_min
+  int threads;                                // at most, >= 1; no influence on results
 };
 
 // The sum over all pairs: columns in parallel, SIMD over the volumes of a column. In float; the

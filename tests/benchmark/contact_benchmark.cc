@@ -12,10 +12,11 @@ struct Standing {
   Standing(const char* tire_name, double grid_spacing) {
     Catalogue<Tire> tires = TireCatalogue();
     tires.AddFolder(SOFTSOIL_SOURCE_DIR "/models/tires");
-    Catalogue<Soil> soils = SoilCatalogue();
-    soils.AddFolder(SOFTSOIL_SOURCE_DIR "/models/soils");
+    Catalogue<Soil> catalogue = SoilCatalogue();
+    catalogue.AddFolder(SOFTSOIL_SOURCE_DIR "/models/soils");
     tire = tires.Find(tire_name);
-    soil = soils.Find("tilled_yolo_loam");
+    soil = catalogue.Find("tilled_yolo_loam");
+    soils = soil;
     wheel = std::make_unique<WheelContact>(tire, grid_spacing);
     surface = std::make_unique<Surface>(grid_spacing, SurfaceMode::kFlow,
                                         [](double, double) { return 0.0; });
@@ -24,13 +25,14 @@ struct Standing {
     pose.velocity_w = {1, 0, 0};
     pose.angular_velocity_w = {0, 1.1 / tire.shape.radius, 0};
     for (int k = 0; k < 3; ++k) {
-      wheel->Evaluate(pose, *surface, soil, 0.001, &forces);
-      PlasticSinkage(tire, pose, forces.patch, soil, &sinkage);
+      wheel->Evaluate(pose, *surface, soils, 0.001, &forces);
+      PlasticSinkage(tire, pose, forces.patch, soils, &sinkage);
       for (const NodeSinkage& s : sinkage) surface->DeepenPlastic(s);
     }
   }
   Tire tire;
   Soil soil;
+  SoilMap soils;
   TirePose pose;
   std::unique_ptr<WheelContact> wheel;
   std::unique_ptr<Surface> surface;
@@ -54,7 +56,7 @@ void PerNode(benchmark::State& state, const Standing& wheel) {
 
 void BM_Evaluate(benchmark::State& state) {
   Standing w = Wheel(state);
-  for (auto _ : state) w.wheel->Evaluate(w.pose, *w.surface, w.soil, 0.001, &w.forces);
+  for (auto _ : state) w.wheel->Evaluate(w.pose, *w.surface, w.soils, 0.001, &w.forces);
   PerNode(state, w);
 }
 
@@ -66,7 +68,7 @@ void BM_Commit(benchmark::State& state) {
 
 void BM_PlasticSinkage(benchmark::State& state) {
   Standing w = Wheel(state);
-  for (auto _ : state) PlasticSinkage(w.tire, w.pose, w.forces.patch, w.soil, &w.sinkage);
+  for (auto _ : state) PlasticSinkage(w.tire, w.pose, w.forces.patch, w.soils, &w.sinkage);
   PerNode(state, w);
 }
 

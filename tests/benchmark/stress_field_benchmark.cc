@@ -18,6 +18,7 @@ ColumnBatch Columns() {
       batch.x.push_back(i * kSpacing);
       batch.y.push_back(j * kSpacing);
       batch.surface_pressure.push_back(0);
+      batch.soil.push_back(0);
       for (int k = 0; k < kVolumes; ++k) batch.z.push_back(-(k + 0.5) * kSpacing);
     }
   }
@@ -38,7 +39,7 @@ SurfaceLoad Load() {
 void BM_DirectStress(benchmark::State& state) {
   const ColumnBatch columns = Columns();
   const SurfaceLoad load = Load();
-  const auto field = MakeDirectStress({5, 1.25 * kSpacing, static_cast<int>(state.range(0))});
+  const auto field = MakeDirectStress({{5}, 1.25 * kSpacing, static_cast<int>(state.range(0))});
   std::vector<float> stress;
   for (auto _ : state) {
     field->VerticalStress(columns, load, &stress);

@@ -25,7 +25,7 @@ Soil LooseSoil() {
 
 std::shared_ptr<const SoilPlan> OneWheelPlan() {
   const auto plan = std::make_shared<SoilPlan>();
-  plan->soil = LooseSoil();
+  plan->soils = LooseSoil();
   plan->terrain.grid_spacing = 0.1;
   plan->terrain.volume_height = 0.1;
   plan->terrain.volumes = 1;
@@ -66,7 +66,7 @@ struct FakeData {
 // A wheel that has pressed the ground, with a soil job in flight.
 struct Case {
   std::shared_ptr<const SoilPlan> plan = OneWheelPlan();
-  SoftWheels wheels{plan->soil, plan->terrain, plan->ground.height, plan->tires};
+  SoftWheels wheels{plan->soils, plan->terrain, plan->ground.height, plan->tires};
   FakeData fake;
   ModelData data{&fake.m, &fake.d};
   SoilState undisturbed{plan, wheels.Undisturbed(), {}, {}, std::vector<OwnShare>(1), {}};

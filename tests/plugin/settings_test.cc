@@ -106,6 +106,15 @@ TEST(Settings, OfEveryKeyHaveTheDefaultThatTheTableTells) {
   }
 }
 
+TEST(Settings, MayHaveRegionsOfOtherSoilsOrNone) {
+  Settings s = FromText("regions=road=clay,ditch=mud");
+  ASSERT_EQ(s.regions.size(), 2u);
+  EXPECT_EQ(s.regions[0].site, "road");
+  EXPECT_EQ(s.regions[1].soil, "mud");
+  Override("regions=none", &s);
+  EXPECT_TRUE(s.regions.empty());
+}
+
 TEST(Settings, MayHaveBumpsWithoutASeedOrNone) {
   const Settings s = FromText("bumps=0.1,2");
   EXPECT_EQ(s.bumps.height, 0.1);
@@ -151,7 +160,7 @@ TEST(Settings, OfAModelAreRefusedWithNameRuleAndValue) {
             "<custom> softsoil_bumps: must be HEIGHT,SPACING or HEIGHT,SPACING,SEED or none, got "
             "\"0.1 0.5\""},
            {Text("sol", "mud"),
-            "<custom> softsoil_sol: unknown key; known are: softsoil_soil, softsoil_tire, "},
+            "<custom> softsoil_sol: unknown key; known are: softsoil_soil, softsoil_regions, "},
            {"<tuple name=\"softsoil_wheels\">" + body + geom + "</tuple>",
             "<custom> softsoil_wheels: must refer to bodies; element 2 does not"},
        }) {
@@ -187,7 +196,12 @@ TEST(Settings, InATextAreRefusedWithNameRuleAndValue) {
             "\"0.11,0.2\""},
            {"bumps=0.1,2,-1", "bumps: the seed must be 0 to 999999, got \"-1\""},
            {"bumps=0.1,2,1.5", "bumps: the seed must be a whole number, got \"1.5\""},
-           {"speed=1", "settings: speed: unknown key; known are: soil, tire, "},
+           {"regions=road", "regions: must be SITE=SOIL entries or none, got \"road\""},
+           {"regions==mud", "regions: must be SITE=SOIL entries or none, got \"=mud\""},
+           {"regions=road=", "regions: must be SITE=SOIL entries or none, got \"road=\""},
+           {"regions=,", "regions: must name something, got \",\""},
+           {"regions=a=mud,a=clay", "regions: must have one soil for each site, got two for \"a\""},
+           {"speed=1", "settings: speed: unknown key; known are: soil, regions, tire, "},
        }) {
     EXPECT_THAT(Refusal(FromText, c.input), HasSubstr(c.message)) << c.input;
   }

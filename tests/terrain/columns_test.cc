@@ -159,7 +159,7 @@ TEST(Columns, CompactTheSameEverywhere) {
   Columns here = FlatColumns(kGrid);
   Columns there(
       soil, kGrid, [](double, double) { return 250.0; },
-      MakeDirectStress({soil.concentration_factor, 1.25 * kGrid.spacing, 1}));
+      MakeDirectStress({{soil.concentration_factor}, 1.25 * kGrid.spacing, 1}));
   SurfaceLoad moved = LoadOf({{-20011, 30007}, kPlate.radius, kPlate.pressure}, kGrid.spacing);
   for (NodeForce& f : moved) f.z = 250;
   Pressed(here, LoadOf(kPlate, kGrid.spacing), 20);

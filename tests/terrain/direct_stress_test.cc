@@ -11,7 +11,7 @@ constexpr double kNoNearField = 1e-6;  // [m]
 // Largest error as a share of the peak stress. A volume on the very edge of a cone may fall on
 // either side of it in float; the columns stand off the nodes so that none does.
 double LargestError(double nu, const ColumnBatch& batch, const SurfaceLoad& load) {
-  const std::vector<float> stress = Stress({nu, kNoNearField, 1}, batch, load);
+  const std::vector<float> stress = Stress({{nu}, kNoNearField, 1}, batch, load);
   const std::vector<double> expected = OracleStress(nu, batch, load);
   EXPECT_EQ(stress.size(), expected.size());
   double peak = 0, error = 0;
@@ -71,25 +71,25 @@ TEST(DirectStress, AgreesWithTheOracleForAnyNumberOfVolumes) {
 TEST(DirectStress, HasTheSameBitsOnAnyNumberOfThreads) {
   const ColumnBatch batch = Block({-3, -3}, 14, kDx, 30, kDx, 0);
   const SurfaceLoad load = RandomLoad({0, 0}, 8, kDx, 0.02, 5);
-  const std::vector<float> one = Stress({5, 1.25 * kDx, 1}, batch, load);
+  const std::vector<float> one = Stress({{5}, 1.25 * kDx, 1}, batch, load);
   ASSERT_GT(*std::max_element(one.begin(), one.end()), 1e3);
-  EXPECT_EQ(one, Stress({5, 1.25 * kDx, 2}, batch, load));
-  EXPECT_EQ(one, Stress({5, 1.25 * kDx, 4}, batch, load));
+  EXPECT_EQ(one, Stress({{5}, 1.25 * kDx, 2}, batch, load));
+  EXPECT_EQ(one, Stress({{5}, 1.25 * kDx, 4}, batch, load));
 }
 
 TEST(DirectStress, OfAColumnDoesNotDependOnTheOthersAskedFor) {
   const SurfaceLoad load = RandomLoad({0, 0}, 8, kDx, 0.02, 6);
   const std::vector<float> all =
-      Stress({5, 1.25 * kDx, 1}, Block({-3, -3}, 14, kDx, 30, kDx, 0), load);
+      Stress({{5}, 1.25 * kDx, 1}, Block({-3, -3}, 14, kDx, 30, kDx, 0), load);
   const std::vector<float> one =
-      Stress({5, 1.25 * kDx, 1}, Block({-3, -3}, 1, kDx, 30, kDx, 0), load);
+      Stress({{5}, 1.25 * kDx, 1}, Block({-3, -3}, 1, kDx, 30, kDx, 0), load);
   EXPECT_EQ(one, std::vector<float>(all.begin(), all.begin() + 30));
 }
 
 TEST(DirectStress, IsSymmetricAboutAForce) {
   const SurfaceLoad load{ForceAt({0, 0}, kDx, 0, {0, 0, -1e3})};
   const std::vector<float> stress =
-      Stress({5, kNoNearField, 1}, Block({-4, -4}, 9, kDx, 20, kDx, 0), load);
+      Stress({{5}, kNoNearField, 1}, Block({-4, -4}, 9, kDx, 20, kDx, 0), load);
   const auto at = [&](int i, int j, int k) { return stress[((i + 4) * 9 + j + 4) * 20 + k]; };
   EXPECT_GT(at(3, 1, 19), 0);
   for (int k = 0; k < 20; ++k) {
@@ -104,7 +104,7 @@ TEST(DirectStress, OfALoadIsTheSumOfItsParts) {
                     b = RandomLoad({4, 2}, 4, kDx, 0.02, 8);
   SurfaceLoad both = a;
   both.insert(both.end(), b.begin(), b.end());
-  const StressSettings settings{5, kNoNearField, 1};
+  const StressSettings settings{{5}, kNoNearField, 1};
   const std::vector<float> sum = Stress(settings, batch, both), of_a = Stress(settings, batch, a),
                            of_b = Stress(settings, batch, b);
   const float peak = *std::max_element(sum.begin(), sum.end());
@@ -113,19 +113,19 @@ TEST(DirectStress, OfALoadIsTheSumOfItsParts) {
 }
 
 TEST(DirectStress, IsZeroWithoutLoad) {
-  for (float stress : Stress({5, 0.03, 1}, Block({0, 0}, 3, kDx, 30, kDx, 0), {}))
+  for (float stress : Stress({{5}, 0.03, 1}, Block({0, 0}, 3, kDx, 30, kDx, 0), {}))
     EXPECT_EQ(stress, 0);
 }
 
 TEST(DirectStress, OfNoColumnsIsEmpty) {
   EXPECT_TRUE(
-      Stress({5, 0.03, 1}, Block({0, 0}, 0, kDx, 30, kDx, 0), RandomLoad({0, 0}, 2, kDx, 0, 9))
+      Stress({{5}, 0.03, 1}, Block({0, 0}, 0, kDx, 30, kDx, 0), RandomLoad({0, 0}, 2, kDx, 0, 9))
           .empty());
 }
 
 TEST(DirectStress, IsNotFeltAboveAForce) {
   const SurfaceLoad load{ForceAt({0, 0}, kDx, -0.1, {500, 0, -1e3})};
-  const std::vector<float> stress = Stress({5, 0.03, 1}, Block({0, 0}, 1, kDx, 8, kDx, 0), load);
+  const std::vector<float> stress = Stress({{5}, 0.03, 1}, Block({0, 0}, 1, kDx, 8, kDx, 0), load);
   for (int k = 0; k < 4; ++k) EXPECT_EQ(stress[k], 0) << k;
   EXPECT_GT(stress[7], 0);
 }
@@ -133,7 +133,7 @@ TEST(DirectStress, IsNotFeltAboveAForce) {
 TEST(DirectStress, IsNotFeltOutsideTheCone) {
   const SurfaceLoad load{ForceAt({0, 0}, kDx, 0, {0, 0, -1e3})};
   const std::vector<float> stress =
-      Stress({5, kNoNearField, 1}, Block({8, 0}, 1, kDx, 8, kDx, 0), load);
+      Stress({{5}, kNoNearField, 1}, Block({8, 0}, 1, kDx, 8, kDx, 0), load);
   for (int k = 0; k < 8; ++k) {
     const bool inside = 0.2 * 0.2 <= 6 * std::pow((k + 0.5) * kDx, 2);
     EXPECT_EQ(stress[k] > 0, inside) << k;

@@ -121,6 +121,31 @@ TEST(LooseSoil, SlidesOffTheRimIntoThePit) {
   EXPECT_NEAR(Loose(pit), 0.1, 1e-12);
 }
 
+// Two soils that meet at x = 0: up to there heaps stand at 0.5, beyond it at 1.
+SoilMap TwoSoils() {
+  Soil soil = LooseSoil();
+  soil.angle_of_repose = std::atan(0.5);
+  Soil steeper = soil;
+  steeper.angle_of_repose = std::atan(1.0);
+  const Eigen::Vector2d half(5, 5);
+  return SoilMap(soil, {{steeper, {5 + kDx / 2, 0}, half.asDiagonal()}});
+}
+
+TEST(Heap, StandsOnEachSoilAtItsOwnAngleOfRepose) {
+  Surface surface = Flat();
+  FlowField field(surface, SoilSlopes(TwoSoils(), kDx));
+  field.Raise(field.Find({0, 0}), 0.5);
+  field.Raise(field.Find({1, 0}), 0.5);
+  field.Slide(5000);
+  Apply(field, &surface);
+  EXPECT_NEAR(Loose(surface), 1, 1e-12);
+  const auto slope = [&](int i, int way) {
+    return (surface.NodeHeight({i, 0}) - surface.NodeHeight({i + way, 0})) / kDx;
+  };
+  EXPECT_NEAR(slope(-1, -1), 0.5, 0.002);
+  EXPECT_NEAR(slope(1, 1), 1, 0.002);
+}
+
 // A field in which a square of 7 by 7 nodes around the origin is below a tire.
 class Footprint : public testing::Test {
  protected:

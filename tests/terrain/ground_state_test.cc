@@ -118,7 +118,7 @@ TEST(ColumnsState, StaysAsItWasWhenTheStressFieldThrows) {
   const auto columns = [&](const bool* when) {
     return Columns(soil, settings, FlatGround,
                    std::make_unique<FailingStress>(
-                       MakeDirectStress({soil.concentration_factor, 0.0625, 1}), when));
+                       MakeDirectStress({{soil.concentration_factor}, 0.0625, 1}), when));
   };
   Columns failing = columns(&fails), plain = columns(&never);
   const auto densities = [](const Columns& c) { return c.Densities({0, 0}); };

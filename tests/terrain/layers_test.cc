@@ -13,7 +13,7 @@ Columns LayeredColumns(const std::vector<DensityLayer>& layers) {
   Soil soil = LooseSoil();
   soil.layers = layers;
   return Columns(soil, kGrid, FlatGround,
-                 MakeDirectStress({soil.concentration_factor, 1.25 * kGrid.spacing, 1}));
+                 MakeDirectStress({{soil.concentration_factor}, 1.25 * kGrid.spacing, 1}));
 }
 
 double SinkageInTheMiddle(const std::vector<DensityLayer>& layers) {
@@ -56,7 +56,7 @@ TEST(Layers, ThatAreWeakYieldBelowACrust) {
   soil.compaction.initial_density = 1600;
   soil.layers = {{0.1, 1150}};
   Columns columns(soil, kGrid, FlatGround,
-                  MakeDirectStress({soil.concentration_factor, 1.25 * kGrid.spacing, 1}));
+                  MakeDirectStress({{soil.concentration_factor}, 1.25 * kGrid.spacing, 1}));
   for (int i = 0; i < 10; ++i) columns.Advance(LoadOf(kPlate, kGrid.spacing), 0.01);
   const std::vector<double> densities = columns.Densities({0, 0});
   EXPECT_EQ(densities[0], 1600);

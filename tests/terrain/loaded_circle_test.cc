@@ -30,7 +30,7 @@ TEST(LoadedCircle, PressesOnItsAxisAsInTheClosedForm) {
   const SurfaceLoad load = Circle();
   const ColumnBatch axis = Block({0, 0}, 1, kDx, 60, 0.01, 0);
   for (double nu : {3.0, 4.0, 4.5, 5.0, 6.0}) {
-    const std::vector<float> stress = Stress({nu, 1.25 * kDx, 1}, axis, load);
+    const std::vector<float> stress = Stress({{nu}, 1.25 * kDx, 1}, axis, load);
     const double whole_in_cone = kRadius / std::sqrt(nu + 1);  // above it the rim is cut off
     int compared = 0;
     for (int k = 0; k < 60; ++k) {
@@ -49,7 +49,7 @@ TEST(LoadedCircle, LosesTheKnownShareWhereTheConeCutsOffItsRim) {
   const SurfaceLoad load = Circle();
   const ColumnBatch axis = Block({0, 0}, 1, kDx, 60, 0.01, 0);
   const double nu = 5;
-  const std::vector<float> stress = Stress({nu, 1.25 * kDx, 1}, axis, load);
+  const std::vector<float> stress = Stress({{nu}, 1.25 * kDx, 1}, axis, load);
   for (int k = 2; (k + 0.5) * 0.01 < kRadius / std::sqrt(nu + 1); ++k) {
     EXPECT_NEAR(stress[k], kPressure * softsoil_reference::ShareInsideCone(nu), 0.02 * kPressure);
   }
@@ -58,7 +58,7 @@ TEST(LoadedCircle, LosesTheKnownShareWhereTheConeCutsOffItsRim) {
 TEST(LoadedCircle, PressesTheNearFieldWithItsPressure) {
   ColumnBatch axis = Block({0, 0}, 1, 0.025, 10, 0.0125, 0);
   axis.surface_pressure = {kPressure};
-  EXPECT_EQ(Stress({5, 1.25 * 0.025, 1}, axis, Circle())[0], float(kPressure));
+  EXPECT_EQ(Stress({{5}, 1.25 * 0.025, 1}, axis, Circle())[0], float(kPressure));
 }
 
 // The backend leaves out what lies outside the cone; so much passes a plane and no more.
@@ -68,7 +68,7 @@ TEST(LoadedCircle, CarriesTheShareInsideTheConesThroughAPlane) {
     const double depth = 0.15;
     const ColumnBatch plane = Block({-90, -90}, 181, kDx, 1, 2 * depth, 0);
     double carried = 0;
-    for (float stress : Stress({nu, 1e-6, 1}, plane, load)) carried += stress * kDx * kDx;
+    for (float stress : Stress({{nu}, 1e-6, 1}, plane, load)) carried += stress * kDx * kDx;
     EXPECT_NEAR(carried, 1e3 * softsoil_reference::ShareInsideCone(nu), 1) << nu;
   }
 }

@@ -57,7 +57,7 @@ inline GroundSettings CoarseGround(int volumes, bool sync) {
 inline Columns FlatColumns(const ColumnSettings& settings, int threads = 1) {
   const Soil soil = LooseSoil();
   return Columns(soil, settings, FlatGround,
-                 MakeDirectStress({soil.concentration_factor, 1.25 * settings.spacing, threads}));
+                 MakeDirectStress({{soil.concentration_factor}, 1.25 * settings.spacing, threads}));
 }
 
 }  // namespace softsoil

@@ -49,6 +49,7 @@ inline ColumnBatch Block(GridNode corner, int n, double dx, int volumes, double 
       batch.x.push_back((corner.i + i) * dx);
       batch.y.push_back((corner.j + j) * dx);
       batch.surface_pressure.push_back(0);
+      batch.soil.push_back(0);
       for (int k = 0; k < volumes; ++k) batch.z.push_back(top - (k + 0.5) * w);
     }
   }
