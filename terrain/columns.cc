@@ -101,28 +101,28 @@ PeriodResult Columns::Advance(const SurfaceLoad& load, double period) {
 }
 
 std::vector<Columns::Visit> Columns::ColumnsToVisit(const SurfaceLoad& load) const {
-  const LoadReach reach(load, model_->profiles.farthest_reaching_factor());
-  const double dx = settings().spacing;
+  const ColumnProfiles& profiles = model_->profiles;
+  const LoadReach reach(load, profiles.farthest_reaching_factor());
+  const double dx = settings().spacing, least = profiles.least_yield_stress();
   std::vector<Visit> visits;
-  reach.ForEachRectangle(
-      model_->profiles.least_yield_stress(), [&](double x0, double x1, double y0, double y1) {
-        for (int i = static_cast<int>(std::ceil(x0 / dx)); i * dx <= x1; ++i) {
-          for (int j = static_cast<int>(std::ceil(y0 / dx)); j * dx <= y1; ++j) {
-            const LoadReach::Bound bound = reach.At(i * dx, j * dx);
-            if (bound.stress < model_->profiles.least_yield_stress()) continue;
-            const int soil = model_->profiles.SoilAt({i, j});
-            if (bound.stress < model_->profiles[soil].yield_stress) continue;
-            visits.push_back({TileOf({i, j}), PlaceInTile({i, j}), soil, bound.source});
-          }
-        }
-      });
+  reach.ForEachRectangle(least, [&](double x0, double x1, double y0, double y1) {
+    for (int i = static_cast<int>(std::ceil(x0 / dx)); i * dx <= x1; ++i) {
+      for (int j = static_cast<int>(std::ceil(y0 / dx)); j * dx <= y1; ++j) {
+        const LoadReach::Bound bound = reach.At(i * dx, j * dx);
+        if (bound.stress < least) continue;
+        const int soil = profiles.SoilAt({i, j});
+        if (bound.stress < profiles[soil].yield_stress) continue;
+        visits.push_back({TileOf({i, j}), PlaceInTile({i, j}), soil, bound.source});
+      }
+    }
+  });
   for (const TileIndex& index : open_tiles_) {
     const Tile& tile = *tiles_.Find(index);
     for (int place = 0; place < kColumnsPerTile; ++place) {
       if (!tile.IsOpen(place, settings().volumes)) continue;
       const GridNode node = NodeAt(index, place);
       const int source = reach.At(node.i * dx, node.j * dx).source;
-      visits.push_back({index, place, model_->profiles.SoilAt(node), source});
+      visits.push_back({index, place, profiles.SoilAt(node), source});
     }
   }
   const auto before = [](const Visit& a, const Visit& b) {

@@ -116,6 +116,23 @@ TEST(Border, LetsALuggedTirePullMoreThanInTheWeakerAndLessThanInTheStrongerSoil)
   EXPECT_GT(pull(0), pull(2));
 }
 
+TEST(Region, UnderAllOfALuggedTireIsAsItsSoilAlone) {
+  const Tire tire = TireNamed("18.4R38_85kPa_lugged");
+  const auto wrench = [&](const SoilMap& soils) {
+    PatchForces forces;
+    const Surface surface(kGrid, SurfaceMode::kFlow, Level);
+    WheelContact(tire, kGrid).Evaluate(Slipping(tire), surface, soils, 0.001, &forces);
+    return forces.wrench;
+  };
+  const Vector2d half(50, 50);
+  for (const auto& [soil, around] : {std::pair(Left(), Right()), std::pair(Right(), Left())}) {
+    const Wrench in_region = wrench(SoilMap(around, {{soil, {0, 0}, half.asDiagonal()}}));
+    EXPECT_EQ(in_region.force_w, wrench(soil).force_w);
+    EXPECT_EQ(in_region.torque_w, wrench(soil).torque_w);
+    EXPECT_NE(in_region.force_w, wrench(around).force_w);
+  }
+}
+
 TEST(Border, GivesTheFlankTheSoilThatItPushes) {
   const Tire tire = TruckTire();
   const auto flank = [&](const SoilMap& soils) {
