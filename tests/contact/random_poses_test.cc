@@ -74,7 +74,7 @@ TEST(RandomPoses, GiveFiniteQuantities) {
   PatchForces forces;
   std::vector<NodeSinkage> plastic;
   int touching = 0;
-  for (int k = 0; k < 100000; ++k) {
+  for (int k = 0; k < 20000; ++k) {
     const TirePose pose = poses.Next();
     const Soil& soil = soils[k % 3];
     WheelContact& wheel = wheels[k % 2];
@@ -86,7 +86,7 @@ TEST(RandomPoses, GiveFiniteQuantities) {
     if (poses.Pick() < 0.5) wheel.Commit(forces);
     touching += !forces.contacts.empty();
   }
-  EXPECT_GT(touching, 50000);
+  EXPECT_GT(touching, 10000);
 }
 
 }  // namespace

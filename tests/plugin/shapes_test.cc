@@ -125,14 +125,14 @@ softsoilWheel Driven(double grouser_height) {
   const int slide = m->jnt_dofadr[m->body_jntadr[mj_name2id(m, mjOBJ_BODY, "hub")]];
   const int spin = m->jnt_dofadr[mj_name2id(m, mjOBJ_JOINT, "spin")];
   softsoilWheel mean = {};
-  simulation.Run(3, [&] {
+  simulation.Run(2, [&] {
     const bool drives = simulation.d->time > 0.5;
     simulation.d->qvel[slide] = drives ? 0.3 : 0;
     simulation.d->qvel[spin] = drives ? 0.3 / 0.32 / (1 - 0.3) : 0;
-    if (simulation.d->time < 2) return;
+    if (simulation.d->time < 1.5) return;
     const softsoilWheel now = simulation.Wheel();
-    mean.load += now.load / 1000;
-    mean.motion_resistance += now.motion_resistance / 1000;
+    mean.load += now.load / 500;
+    mean.motion_resistance += now.motion_resistance / 500;
   });
   return mean;
 }
