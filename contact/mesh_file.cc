@@ -25,12 +25,13 @@ constexpr const char* kObjIgnored[] = {"vt", "vn", "g", "o", "s", "usemtl", "mtl
 constexpr std::size_t kMostCorners = std::numeric_limits<int>::max();
 
 std::string BytesOf(const std::string& file) {
+  std::error_code ignored;
+  const auto status = std::filesystem::status(file, ignored);
+  if (is_directory(status)) throw InputError(file + ": is a folder, not a file");
+  // A device or a pipe may have no end.
+  if (exists(status) && !is_regular_file(status)) throw InputError(file + ": is no regular file");
   std::ifstream stream(file, std::ios::binary);
   if (!stream) throw InputError(file + ": cannot read: " + std::strerror(errno));
-  std::error_code ignored;
-  if (std::filesystem::is_directory(file, ignored)) {
-    throw InputError(file + ": is a folder, not a file");
-  }
   return {std::istreambuf_iterator<char>(stream), {}};
 }
 

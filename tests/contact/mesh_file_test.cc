@@ -117,6 +117,9 @@ TEST_F(MeshFile, IsRefusedIfItCannotBeRead) {
   std::filesystem::create_directories(folder_ + "/f.stl");
   EXPECT_THAT([&] { ReadMesh(folder_ + "/f.stl"); },
               testing::ThrowsMessage<InputError>(folder_ + "/f.stl: is a folder, not a file"));
+  std::filesystem::create_symlink("/dev/zero", folder_ + "/endless.stl");
+  EXPECT_THAT([&] { ReadMesh(folder_ + "/endless.stl"); },
+              testing::ThrowsMessage<InputError>(folder_ + "/endless.stl: is no regular file"));
   EXPECT_EQ(Refusal("a.ply", ""), ": its name must end in .obj or .stl, got \".ply\"");
 }
 
