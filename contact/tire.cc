@@ -69,17 +69,14 @@ std::shared_ptr<const TriangleMesh> ReadTireMesh(XmlEntry& entry, const TireShap
       entry.Has("mesh", "scale") ? entry.Number("mesh", "scale", "", Range::kPositive) : 1;
   const std::string path = (std::filesystem::path(entry.file()).parent_path() / file).string();
   auto mesh = std::make_shared<TriangleMesh>(ReadMesh(path, scale));
-  double radius = 0, half_width = 0;
-  for (const Eigen::Vector3d& v : mesh->vertices) {
-    radius = std::max(radius, std::hypot(v.x(), v.z()));
-    half_width = std::max(half_width, std::abs(v.y()));
-  }
+  const Extent extent = ExtentOf(*mesh);
+  const double half_width = std::max(extent.high.y(), -extent.low.y());
   const auto require = [&](const char* name, double ours, double theirs) {
     if (std::abs(ours - theirs) <= kSameSize * theirs) return;
     entry.Refuse(std::string(name) + " must be that of the mesh, " + Shown(ours) +
                  " m about its y axis, got " + Shown(theirs));
   };
-  require("radius", radius, shape.radius);
+  require("radius", RadiusAboutY(*mesh), shape.radius);
   require("width", 2 * half_width, shape.width);
   return mesh;
 }

@@ -32,21 +32,6 @@ std::string PointText(const Vector3d& p) {
   throw InputError("triangle " + std::to_string(triangle + 1) + ": " + rule);
 }
 
-struct Box {
-  Vector3d low, high;  // [m]
-
-  double Longest() const { return (high - low).maxCoeff(); }
-};
-
-Box BoundingBox(const TriangleMesh& mesh) {
-  Box box{mesh.vertices.front(), mesh.vertices.front()};
-  for (const Vector3d& v : mesh.vertices) {
-    box.low = box.low.cwiseMin(v);
-    box.high = box.high.cwiseMax(v);
-  }
-  return box;
-}
-
 using Cell = std::array<long, 3>;
 struct HashOfCell {
   std::size_t operator()(const Cell& c) const {
@@ -178,6 +163,21 @@ void RequireOutward(const TriangleMesh& mesh, const std::vector<int>& part_of) {
 
 }  // namespace
 
+Extent ExtentOf(const TriangleMesh& mesh) {
+  Extent extent{mesh.vertices.front(), mesh.vertices.front()};
+  for (const Vector3d& v : mesh.vertices) {
+    extent.low = extent.low.cwiseMin(v);
+    extent.high = extent.high.cwiseMax(v);
+  }
+  return extent;
+}
+
+double RadiusAboutY(const TriangleMesh& mesh) {
+  double radius = 0;
+  for (const Vector3d& v : mesh.vertices) radius = std::max(radius, std::hypot(v.x(), v.z()));
+  return radius;
+}
+
 Vector3d AreaVector(const TriangleMesh& mesh, int triangle) {
   const Vector3d& a = Corner(mesh, triangle, 0);
   return (Corner(mesh, triangle, 1) - a).cross(Corner(mesh, triangle, 2) - a) / 2;
@@ -201,8 +201,8 @@ double Volume(const TriangleMesh& mesh) {
 
 TriangleMesh WithVerticesMerged(const TriangleMesh& mesh) {
   if (mesh.vertices.empty()) return mesh;
-  const Box box = BoundingBox(mesh);
-  const double size = box.Longest();
+  const Extent box = ExtentOf(mesh);
+  const double size = box.Size().maxCoeff();
   if (!(size > 0) || !std::isfinite(size)) return mesh;
   Kept kept(box.low, kMergedWithin * size);
   std::vector<int> place;
@@ -251,7 +251,7 @@ std::vector<int> Parts(const std::vector<std::array<int, 3>>& neighbours) {
 
 void RequireClosed(const TriangleMesh& mesh) {
   if (mesh.triangles.empty()) throw InputError("there must be triangles, got none");
-  const double size = BoundingBox(mesh).Longest();
+  const double size = ExtentOf(mesh).Size().maxCoeff();
   if (size > kLargestMesh) {
     throw InputError("the mesh must be at most " + Shown(kLargestMesh) + " m long, got " +
                      Rounded(size, 3) + " m; is it in millimetres?");

@@ -19,6 +19,16 @@ struct TriangleMesh {
 Eigen::Vector3d AreaVector(const TriangleMesh& mesh, int triangle);
 Eigen::Vector3d Centroid(const TriangleMesh& mesh, int triangle);
 
+// The box that a mesh fills, along its axes.
+struct Extent {
+  Eigen::Vector3d low, high;  // [m]
+
+  Eigen::Vector3d Middle() const { return (low + high) / 2; }
+  Eigen::Vector3d Size() const { return high - low; }
+};
+Extent ExtentOf(const TriangleMesh& mesh);
+double RadiusAboutY(const TriangleMesh& mesh);  // [m]  of its farthest vertex
+
 double Area(const TriangleMesh& mesh);    // [m^2]
 double Volume(const TriangleMesh& mesh);  // [m^3]  that a closed mesh encloses
 

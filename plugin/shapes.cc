@@ -20,22 +20,6 @@ constexpr double kStiffnessShare = 0.25;  // of m / h^2
 constexpr double kDampingRatio = 0.1;     // of critical
 constexpr double kStiffest = 1e10;        // [Pa/m]  also where the mass is infinite
 
-struct Extent {
-  Vector3d low, high;  // [m]
-
-  Vector3d Middle() const { return (low + high) / 2; }
-  Vector3d Size() const { return high - low; }
-};
-
-Extent ExtentOf(const TriangleMesh& mesh) {
-  Extent extent{mesh.vertices.front(), mesh.vertices.front()};
-  for (const Vector3d& v : mesh.vertices) {
-    extent.low = extent.low.cwiseMin(v);
-    extent.high = extent.high.cwiseMax(v);
-  }
-  return extent;
-}
-
 TriangleMesh SeenFrom(const Vector3d& origin, const Eigen::Matrix3d& frame, TriangleMesh mesh) {
   for (Vector3d& v : mesh.vertices) v = frame.transpose() * (v - origin);
   return mesh;
@@ -48,10 +32,7 @@ void SetTurning(const TriangleMesh& mesh_b, Wheel* wheel) {
   wheel->centre_b += extent.Middle().y() * frame.col(1);
   wheel->half_width = extent.Size().y() / 2;
   TriangleMesh mesh = SeenFrom(wheel->centre_b, frame, mesh_b);
-  wheel->radius = 0;
-  for (const Vector3d& v : mesh.vertices) {
-    wheel->radius = std::max(wheel->radius, std::hypot(v.x(), v.z()));
-  }
+  wheel->radius = RadiusAboutY(mesh);
   wheel->mesh = std::make_shared<TriangleMesh>(std::move(mesh));
 }
 
