@@ -6,11 +6,16 @@
 namespace softsoil {
 namespace {
 
-// The tire above a grid node at `ground_w` whose surface lies `depth` [m] below the undisturbed
-// ground; false where the tire does not reach it. As the node sinks by u the penetration falls by
-// u cos(kappa).
-bool PointBelow(const TireShape& shape, const TirePose& pose, const Eigen::Vector3d& ground_w,
-                double depth, PressedPoint* point) {
+// The tire above a grid node.
+struct Above {
+  PressedPoint point;
+  double lowest;  // [m]  of the unloaded tire there, below the undisturbed ground
+};
+
+// At a node at `ground_w` whose surface lies `depth` [m] below the undisturbed ground; false where
+// the tire does not reach it. As the node sinks by u the penetration falls by u cos(kappa).
+bool FindAbove(const TireShape& shape, const TirePose& pose, const Eigen::Vector3d& ground_w,
+               double depth, Above* above) {
   const Eigen::Vector3d from_centre = ground_w - pose.centre_w;
   const Eigen::Vector3d axis = pose.frame_w.col(1);
   const double lateral = from_centre.dot(axis);
@@ -20,7 +25,11 @@ bool PointBelow(const TireShape& shape, const TirePose& pose, const Eigen::Vecto
   if (distance >= radius || distance <= 0) return false;
   const double cosine = -in_plane.z() / distance;
   if (cosine < kLeastDescent) return false;
-  *point = {radius - distance, depth, cosine, 1.0};
+  above->point = {radius - distance, depth, cosine, 1.0};
+  const double upright = 1 - axis.z() * axis.z();
+  const double out_of_tire =
+      std::sqrt(in_plane.z() * in_plane.z() + upright * (radius * radius - distance * distance));
+  above->lowest = depth + (in_plane.z() + out_of_tire) / upright;
   return true;
 }
 
@@ -63,13 +72,15 @@ void PlasticSinkage(const Tire& tire, const TirePose& pose, const SurfacePatch& 
       const GridNode node{patch.first().i + a, patch.first().j + b};
       const Eigen::Vector3d ground_w(node.i * patch.spacing(), node.j * patch.spacing(),
                                      patch.Height(a, b));
-      PressedPoint point;
+      Above above;
       const double by_slip = patch.SlipSinkage(a, b), depth = patch.Sinkage(a, b) - by_slip;
-      if (!PointBelow(tire.shape, pose, ground_w, depth, &point)) continue;
-      point.loose = patch.Loose(a, b);
+      if (!FindAbove(tire.shape, pose, ground_w, depth, &above)) continue;
+      above.point.loose = patch.Loose(a, b);
       const TreadCurve& curve = curves.In(soils.NumberAt(ground_w.x(), ground_w.y()));
-      const auto left = LeftBehindLug(tire, curve, point, IsBelowLug(tire.shape, pose, ground_w));
-      if (left) sinkage->push_back({node, by_slip + *left});
+      const auto left =
+          LeftBehindLug(tire, curve, above.point, IsBelowLug(tire.shape, pose, ground_w));
+      // Where the tire rises steeply the penetration falls ever faster than by cos(kappa).
+      if (left) sinkage->push_back({node, by_slip + std::min(*left, above.lowest)});
     }
   }
 }
