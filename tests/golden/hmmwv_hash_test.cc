@@ -19,7 +19,7 @@
 namespace softsoil {
 namespace {
 
-constexpr std::uint64_t kGolden = 2266801074118147557u;
+constexpr std::uint64_t kGolden = 9967365323816270389u;
 
 constexpr char kScene[] = SOFTSOIL_SOURCE_DIR "/models/scenes/hmmwv_flat.xml";
 constexpr char kSettings[] = "soil_file=" SOFTSOIL_SOURCE_DIR
