@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Reruns every experiment, Wong-Reece case, tire fit and soil volume that the thesis prints and writes
-# build/validation/table.md, measured against computed, with pictures. About two minutes.
+# build/validation/table.md, measured against computed, with pictures. About five minutes.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 source tests/setup.sh
