@@ -22,7 +22,7 @@ struct Shadow {
 };
 Shadow ShadowOf(const TriangleMesh& mesh, const MeshPose& pose);
 
-// Heights of the underside of a mesh above the nodes of a patch. Keeps its memory between calls.
+// Heights of the underside of a mesh above the nodes of a patch.
 class Underside {
  public:
   // Draws the triangles that face down and reach below the patch's highest point. Neighbours leave

@@ -1,6 +1,6 @@
 """Writes the mesh of a rigid wheel with straight grousers across it, as OBJ in metres, about the y axis.
 
-  wheel.py RADIUS WIDTH [--grousers COUNT --height HEIGHT --thickness THICKNESS] > wheel.obj
+  grouser_wheel.py RADIUS WIDTH [--grousers COUNT --height HEIGHT --thickness THICKNESS] > wheel.obj
 
 RADIUS is that of the drum; grousers of HEIGHT stand on it. Without grousers it is smooth.
 """

@@ -1,17 +1,15 @@
 // Which of 16 ways to drive the wheels brings a rover on soft sand nearest to its goal? Each is
 // tried from the same instant on a copy of the simulation, rut and all; then the rover takes the
 // best: rollouts MODEL.xml
-#include <softsoil/softsoil.h>
-
 #include <array>
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
-#include <cstdlib>
 #include <cstring>
-#include <memory>
 #include <thread>
 #include <vector>
+
+#include "../host.h"
 
 namespace {
 
@@ -20,28 +18,10 @@ constexpr double kApproach = 0.5;         // [s]  until the rover decides
 constexpr double kHorizon = 1;            // [s]  that it looks ahead
 constexpr int kThreads = 2;
 
-struct Free {
-  const mjModel* m;
-  void operator()(mjData* d) const {
-    softsoil_detach(m, d);
-    mj_deleteData(d);
-  }
-};
-using Model = std::unique_ptr<mjModel, decltype(&mj_deleteModel)>;
-using Data = std::unique_ptr<mjData, Free>;
-
-Data MakeData(const mjModel* m) { return Data(mj_makeData(m), Free{m}); }
-
 struct Candidate {
   double left, right;  // [rad/s]  set speed of the wheels
   Data d;              // a simulation of its own
 };
-
-void Require(int result) {
-  if (result == 0) return;
-  std::fprintf(stderr, "%s\n", softsoil_error());
-  std::exit(1);
-}
 
 void Drive(const mjModel* m, mjData* d, const std::array<double, 2>& speeds, double until) {
   for (int wheel = 0; wheel < m->nu; ++wheel) d->ctrl[wheel] = speeds[wheel % 2];
@@ -51,7 +31,7 @@ void Drive(const mjModel* m, mjData* d, const std::array<double, 2>& speeds, dou
 Data Copy(const mjModel* m, const mjData* d) {
   Data copy = MakeData(m);
   mj_copyData(copy.get(), m, d);
-  Require(softsoil_copy(copy.get(), d));  // ground is shared until one of the two changes it
+  Check(softsoil_copy(copy.get(), d));  // ground is shared until one of the two changes it
   return copy;
 }
 
@@ -93,13 +73,13 @@ const Candidate& Nearest(const std::vector<Candidate>& candidates) {
 
 std::uint64_t Hash(const mjData* d) {
   std::uint64_t hash = 0;
-  Require(softsoil_hash(d, &hash));
+  Check(softsoil_hash(d, &hash));
   return hash;
 }
 
 void Print(const Candidate& c, bool is_best) {
   softsoilWheel wheel;
-  Require(softsoil_wheel(c.d.get(), softsoil_wheel_count(c.d.get()) - 1, &wheel));
+  Check(softsoil_wheel(c.d.get(), softsoil_wheel_count(c.d.get()) - 1, &wheel));
   std::printf("%8.1f %7.1f %7.2f %6.2f %8.2f %9.0f %8.0f %s\n", c.left, c.right, c.d->qpos[0],
               c.d->qpos[1], DistanceToGoal(c.d.get()), 1000 * wheel.rut_depth,
               100 * wheel.slip_ratio, is_best ? "<- best" : "");
@@ -113,15 +93,10 @@ bool IsSame(const mjModel* m, const mjData* a, const mjData* b) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  char error[1000] = "";
-  const Model m(argc == 2 ? mj_loadXML(argv[1], nullptr, error, sizeof error) : nullptr,
-                &mj_deleteModel);
-  if (m == nullptr) {
-    std::fprintf(stderr, "usage: rollouts MODEL.xml\n%s\n", error);
-    return 1;
-  }
+  Require(argc == 2, "usage: rollouts MODEL.xml");
+  const Model m = Load(argv[1]);
   const Data rover = MakeData(m.get());
-  Require(softsoil_attach(m.get(), rover.get(), "sync=1 threads=1"));  // the threads are ours
+  Check(softsoil_attach(m.get(), rover.get(), "sync=1 threads=1"));  // the threads are ours
   Drive(m.get(), rover.get(), {4, 4}, kApproach);
 
   std::vector<Candidate> candidates = Candidates(m.get(), rover.get());

@@ -2,15 +2,13 @@
 // again: qpos and qvel are put back where the test track begins, time runs on, and the ground
 // stays as the vehicle before has left it. Writes vehicles.csv and profiles.csv:
 // convoy MODEL.xml SETTINGS VEHICLES FOLDER
-#include <softsoil/softsoil.h>
-
 #include <cmath>
-#include <cstdio>
 #include <cstdlib>
 #include <fstream>
-#include <memory>
 #include <string>
 #include <vector>
+
+#include "../host.h"
 
 namespace {
 
@@ -22,27 +20,9 @@ constexpr double kStart = 8, kEnd = 17;  // [m]  the test track
 constexpr double kSection = 14;          // [m]  where profiles are taken
 constexpr int kStepsPerRow = 10;
 
-struct Free {
-  const mjModel* m;
-  void operator()(mjData* d) const {
-    softsoil_detach(m, d);
-    mj_deleteData(d);
-  }
-};
-using Model = std::unique_ptr<mjModel, decltype(&mj_deleteModel)>;
-using Data = std::unique_ptr<mjData, Free>;
-
 struct Motion {
   std::vector<mjtNum> qpos, qvel;
 };
-
-void Require(bool holds, const char* message) {
-  if (holds) return;
-  std::fprintf(stderr, "%s\n", message);
-  std::exit(1);
-}
-
-void Check(int result) { Require(result == 0, softsoil_error()); }
 
 void Step(const mjModel* m, mjData* d) {
   static const int drive = mj_name2id(m, mjOBJ_ACTUATOR, "drive");
@@ -87,10 +67,8 @@ void WriteProfile(const mjData* d, int vehicle, std::ostream& table) {
 
 int main(int argc, char** argv) {
   Require(argc == 5, "usage: convoy MODEL.xml SETTINGS VEHICLES FOLDER");
-  char error[1000] = "";
-  const Model m(mj_loadXML(argv[1], nullptr, error, sizeof error), &mj_deleteModel);
-  Require(m != nullptr, error);
-  const Data d(mj_makeData(m.get()), Free{m.get()});
+  const Model m = Load(argv[1]);
+  const Data d = MakeData(m.get());
   Check(softsoil_attach(m.get(), d.get(), argv[2]));
 
   std::ofstream rows(std::string(argv[4]) + "/vehicles.csv");

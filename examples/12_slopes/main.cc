@@ -2,14 +2,11 @@
 // stand uphill, or runs away downhill. Tilting gravity instead of the ground gives every slope in
 // one drive; loose soil does not feel it. Each wheel has a servo of its own, as with locked
 // differentials. Writes a table: slopes MODEL.xml SETTINGS up|down TABLE.csv
-#include <softsoil/softsoil.h>
-
 #include <cmath>
-#include <cstdio>
-#include <cstdlib>
 #include <fstream>
-#include <memory>
 #include <string>
+
+#include "../host.h"
 
 namespace {
 
@@ -21,24 +18,6 @@ constexpr double kSteepest = 60;           // [deg]
 constexpr double kStands = 0.02;           // [m/s]
 constexpr double kRunsAway = 3;            // [m/s]  twice the speed of the wheels
 constexpr int kStepsPerRow = 10;
-
-struct Free {
-  const mjModel* m;
-  void operator()(mjData* d) const {
-    softsoil_detach(m, d);
-    mj_deleteData(d);
-  }
-};
-using Model = std::unique_ptr<mjModel, decltype(&mj_deleteModel)>;
-using Data = std::unique_ptr<mjData, Free>;
-
-void Require(bool holds, const char* message) {
-  if (holds) return;
-  std::fprintf(stderr, "%s\n", message);
-  std::exit(1);
-}
-
-void Check(int result) { Require(result == 0, softsoil_error()); }
 
 double Slope(double time) { return time < kTilt ? 0 : kRate * (time - kTilt); }  // [deg]
 
@@ -75,10 +54,8 @@ void WriteRow(const mjData* d, std::ostream& table) {
 
 int main(int argc, char** argv) {
   Require(argc == 5, "usage: slopes MODEL.xml SETTINGS up|down TABLE.csv");
-  char error[1000] = "";
-  const Model m(mj_loadXML(argv[1], nullptr, error, sizeof error), &mj_deleteModel);
-  Require(m != nullptr, error);
-  const Data d(mj_makeData(m.get()), Free{m.get()});
+  const Model m = Load(argv[1]);
+  const Data d = MakeData(m.get());
   Check(softsoil_attach(m.get(), d.get(), argv[2]));
 
   const bool up = std::string(argv[3]) == "up";

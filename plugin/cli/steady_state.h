@@ -32,7 +32,7 @@ struct SteadyState {
   std::vector<CentreLinePoint> centre_line;
 };
 
-// `shape` of the tire and `load` [N] of the wheel; the rig has not been stepped. Throws InputError
+// `load` [N] of the wheel; the rig has not been stepped. Throws InputError
 // if the wheel sinks to its axle.
 SteadyState DriveToSteadyState(const BinDrive& drive, const Tire& tire, double load,
                                Simulation* rig);

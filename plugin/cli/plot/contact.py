@@ -27,7 +27,8 @@ PRESSURE, SHEAR, ACROSS = "#c2401f", "#1f6f8b", "#8a8f3c"  # of the lines
 ARROW = "#0f3a49"
 MOST_ARROWS = 14  # along the patch
 COLUMNS = {"angle": "angle [deg]", "ahead": "ahead [m]", "lateral": "lateral [m]",
-           "pressure": "pressure [Pa]", "shear": "shear [Pa]", "across": "shear_across [Pa]", "area": "area [m^2]"}
+           "pressure": "pressure [Pa]", "shear": "shear [Pa]", "across": "shear_across [Pa]",
+           "area": "area [m^2]"}
 SAME_ANGLE, SAME_LATERAL = 0.01, 1e-5  # [deg], [m]  nodes of one row or one ring
 MOST_RINGS_PER_NODE = 0.4  # more are no rings
 CELL_PER_NODE = 1.5  # size of a cell over that of a node of a mesh
