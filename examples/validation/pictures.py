@@ -84,14 +84,17 @@ def draw_rigid_wheels(rows, axes):
             if not of:
                 place.set_axis_off()
                 continue
-            slips = [r.slip for r in of]
-            place.plot(slips, [r.measured for r in of], "|", color=MEASURED, markersize=14, markeredgewidth=2)
-            place.plot(slips, [r.ours for r in of], "o-", color=OURS, linewidth=0.8, markersize=5)
+            for form, line in (("", "o-"), ("grousers as lugs", "o-"), ("grousers as mesh", "s:")):
+                so = [r for r in of if r.note == form]
+                place.plot([r.slip for r in so], [r.ours for r in so], line, color=OURS, linewidth=0.8, markersize=4,
+                           label=f"softsoil, {form}" if form else None)
+            place.plot([r.slip for r in of], [r.measured for r in of], "|", color=MEASURED, markersize=14,
+                       markeredgewidth=2, label="measured")
             place.set_ylabel(of[0].unit)
             place.set_ylim(min(0, place.get_ylim()[0]))
     for place in axes[-1]:
         place.set_xlabel("slip [%]")
-    axes[0][0].legend(["measured", "softsoil"], frameon=False, fontsize=8, loc="lower right")
+    axes[1][0].legend(frameon=False, fontsize=8, loc="lower right")
 
 
 def draw(rows, folder):

@@ -1,4 +1,8 @@
-"""Tests of single rigid wheels, smooth and with grousers, beside what softsoil gives for them."""
+"""Tests of single rigid wheels, smooth and with grousers, beside what softsoil gives for them.
+
+Grousers are computed twice: as the lugs of a cylinder, where the soil between two shears as one with them, and as
+a mesh, where each face presses by itself.
+"""
 import csv
 import dataclasses
 import sys
@@ -13,7 +17,7 @@ STEEL = 0.5  # [-]  friction of steel on soil, as of the rigid shapes of a model
 # Stiff: under the 10 kPa of these wheels its surface gives by 0.1 mm.
 TIRE = """<tires><tire name="{name}" description="{name}">
   <shape type="cylinder" radius="{outer:g}" width="{width:g}" source="{source}"/>
-  <mesh file="{name}.obj" source="made of those numbers"/>
+  {grousers}
   <spring linear="1e8" damping="0" source="rigid"/>
   <friction coefficient="{friction:g}" source="steel on soil, Potyondy 1961"/>
 </tire></tires>
@@ -35,6 +39,10 @@ class Wheel:
     @property
     def outer(self):
         return self.radius + self.height
+
+    @property
+    def forms(self):
+        return ("lugs", "mesh") if self.grousers else ("smooth",)
 
 
 # The thickness of the grousers of Ding and of Rashid-1 is not given: 2 mm, sheet metal, is our choice.
@@ -59,15 +67,26 @@ def measured():
     return tests
 
 
-def driven(wheel, slips, folder):
+def grousers_xml(wheel, form, folder):
+    """The element of a tire entry for the grousers of a wheel; writes their mesh beside it."""
+    if form == "lugs":
+        return (f'<lugs height="{wheel.height:g}" count="{wheel.grousers}" width="{wheel.thickness:g}" '
+                f'source="{wheel.source}"/>')
+    if form == "mesh":
+        outline = grouser_wheel.outline(wheel.radius, wheel.grousers, wheel.height, wheel.thickness)
+        (folder / "wheel.obj").write_text(grouser_wheel.obj(outline, wheel.width) + "\n")
+        return '<mesh file="wheel.obj" source="made of those numbers"/>'
+    return ""
+
+
+def driven(wheel, form, slips, folder):
     """Quantities by slip 1 - v/(r w) of the wheel in the soil bin; r reaches to the tips of the grousers."""
-    folder = folder / wheel.name.replace(" ", "_")
+    name = f"{wheel.name} {form}".replace(" ", "_")
+    folder = folder / name
     folder.mkdir(parents=True, exist_ok=True)
-    name = folder.name
-    outline = grouser_wheel.outline(wheel.radius, wheel.grousers, wheel.height, wheel.thickness)
-    (folder / f"{name}.obj").write_text(grouser_wheel.obj(outline, wheel.width) + "\n")
     (folder / "tires.xml").write_text(TIRE.format(name=name, outer=wheel.outer, width=wheel.width,
-                                                  source=wheel.source, friction=STEEL))
+                                                  source=wheel.source, friction=STEEL,
+                                                  grousers=grousers_xml(wheel, form, folder)))
     model.program("softsoil", "drawbar", "--tire", name, "--tire-file", folder / "tires.xml", "--soil", wheel.soil,
                   "--load", wheel.load, "--slip", ",".join(f"{s / (1 - s):.6g}" for s in slips), "--speed", 0.1,
                   "--set", "grid_spacing=0.01", "--set", "volume_height=0.01", "--set", "volumes=20", "--no-picture",
@@ -79,11 +98,12 @@ def driven(wheel, slips, folder):
 
 
 def results(folder):
-    """Wheel, quantity, unit, slip [-], measured and computed value of every number that was measured."""
+    """Wheel, form, quantity, unit, slip [-], measured and computed value of every number that was measured."""
     for wheel in WHEELS:
         tests = measured()[wheel.name]
-        ours = driven(wheel, list(tests), folder)
-        for quantity, unit in QUANTITIES.items():
-            for slip, values in tests.items():
-                if values[quantity] is not None:
-                    yield wheel, quantity, unit, slip, values[quantity], ours[slip][quantity]
+        for form in wheel.forms:
+            ours = driven(wheel, form, list(tests), folder)
+            for quantity, unit in QUANTITIES.items():
+                for slip, values in tests.items():
+                    if values[quantity] is not None:
+                        yield wheel, form, quantity, unit, slip, values[quantity], ours[slip][quantity]

@@ -153,8 +153,9 @@ def soil_volume_rows(printed):
 
 def rigid_wheel_rows(folder, first_id):
     return [Row(first_id + k, wheel.source, "rigid wheel", f"{wheel.name}, {100 * slip:g} % slip", quantity, unit,
-                measured=measured, ours=ours, slip=100 * slip)
-            for k, (wheel, quantity, unit, slip, measured, ours) in enumerate(rigid_wheels.results(folder))]
+                measured=measured, ours=ours, slip=100 * slip, note=f"grousers as {form}" if wheel.grousers else "")
+            for k, (wheel, form, quantity, unit, slip, measured, ours)
+            in enumerate(rigid_wheels.results(folder))]
 
 
 def all_rows(printed, folder):
