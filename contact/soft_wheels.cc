@@ -29,6 +29,7 @@ const TireNodes& SoftWheels::nodes(int wheel) const {
 }
 
 void SoftWheels::Evaluate(int wheel, const TirePose& pose, double h, PatchForces* forces) const {
+  const Stopwatch stopwatch(&ground_.Times(), Work::kContact);
   std::visit(
       [&](const auto& contact) {
         contact.Evaluate(pose, ground_.surface(), ground_.soils(), h, forces);
@@ -38,6 +39,13 @@ void SoftWheels::Evaluate(int wheel, const TirePose& pose, double h, PatchForces
 
 void SoftWheels::Commit(const std::vector<TirePose>& poses, const std::vector<PatchForces>& forces,
                         double h) {
+  Keep(poses, forces, h);
+  ground_.Pass(h);
+}
+
+void SoftWheels::Keep(const std::vector<TirePose>& poses, const std::vector<PatchForces>& forces,
+                      double h) {
+  const Stopwatch stopwatch(&ground_.Times(), Work::kContact);
   // All that may fail comes first.
   for (int wheel = 0; wheel < size(); ++wheel) {
     if (ground_.settings().mode == SurfaceMode::kFlow) {
@@ -53,7 +61,6 @@ void SoftWheels::Commit(const std::vector<TirePose>& poses, const std::vector<Pa
     ground_.AddLoad(wheel, forces[wheel].surface, h);
     ground_.DeepenPlastic(wheel, plastic_[wheel]);
   }
-  ground_.Pass(h);
 }
 
 SoftWheelsState SoftWheels::State() const { return {ground_, Slip()}; }

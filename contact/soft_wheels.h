@@ -52,6 +52,8 @@ class SoftWheels {
  private:
   using Contact = std::variant<WheelContact, MeshContact>;
   static Contact ContactOf(const Tire& tire, double spacing);
+  // What a step is in the history, but for the time that passes.
+  void Keep(const std::vector<TirePose>& poses, const std::vector<PatchForces>& forces, double h);
 
   std::shared_ptr<const std::vector<SlipMemory>> Slip() const;
 

@@ -187,6 +187,16 @@ int softsoil_ground(const mjData* d, softsoilGround* result) {
   });
 }
 
+int softsoil_profile(const mjData* d, softsoilProfile* result) {
+  return Fenced([&] {
+    Require(result, "result");
+    using softsoil::Work;
+    const softsoil::WallTimes& times = SoilOf(d)->soft_wheels().ground().Times();
+    *result = {times.Of(Work::kContact), times.Of(Work::kFlow), times.Of(Work::kWaiting),
+               times.Of(Work::kStress), times.Of(Work::kCompaction)};
+  });
+}
+
 int softsoil_visit_surface(const mjData* d, softsoilVisitor visit, void* user) {
   return Fenced([&] {
     const std::shared_ptr<SoilBinding> soil = SoilOf(d);

@@ -94,6 +94,15 @@ typedef struct softsoilGround_ {
   double berm_volume;       // [m^3]  above the undisturbed ground
 } softsoilGround;
 
+// Wall time [s] that the soil of a mjData has taken so far, with that of its copies.
+typedef struct softsoilProfile_ {
+  double contact;     // forces on the wheels and what they leave in the ground
+  double flow;        // displaced soil
+  double waiting;     // of the step for the soil update
+  double stress;      // in the soil update: the stress field
+  double compaction;  // in the soil update: densities and heights
+} softsoilProfile;
+
 // Version of the library, "0.1.0".
 SOFTSOIL_API const char* softsoil_version(void);
 
@@ -130,6 +139,10 @@ SOFTSOIL_API int softsoil_height(const mjData* d, double x, double y, double* he
 
 // Size and totals of the ground. Waits for the soil job in flight.
 SOFTSOIL_API int softsoil_ground(const mjData* d, softsoilGround* result);
+
+// Where the time went. Unless the soil is updated in place (sync), stress and compaction are done
+// in the background, and the step waits only where that is not done in time.
+SOFTSOIL_API int softsoil_profile(const mjData* d, softsoilProfile* result);
 
 // Calls visit() for every grid node of the touched ground, in a fixed order.
 typedef void (*softsoilVisitor)(void* user, double x, double y, double height, double sinkage);

@@ -63,14 +63,19 @@ Columns::Columns(const SoilMap& soils, const ColumnSettings& settings,
     : model_(std::make_shared<Model>(Model{ColumnProfiles(soils, settings), std::move(undisturbed),
                                            std::move(stress_field)})) {}
 
-PeriodResult Columns::Advance(const SurfaceLoad& load, double period) {
+PeriodResult Columns::Advance(const SurfaceLoad& load, double period, WallTimes* times) {
   // All that may fail comes first.
-  const std::vector<Visit> visits = ColumnsToVisit(load);
-  for (const Visit& visit : visits) {
-    if (tiles_.Find(visit.tile) == nullptr) Touch(visit.tile);
-  }
+  std::vector<Visit> visits;
   std::vector<float> stress;
-  model_->stress_field->VerticalStress(Geometry(visits, load), load, &stress);
+  {
+    const Stopwatch stopwatch(times, Work::kStress);
+    visits = ColumnsToVisit(load);
+    for (const Visit& visit : visits) {
+      if (tiles_.Find(visit.tile) == nullptr) Touch(visit.tile);
+    }
+    model_->stress_field->VerticalStress(Geometry(visits, load), load, &stress);
+  }
+  const Stopwatch stopwatch(times, Work::kCompaction);
   const std::vector<Tile*> tiles = TilesToWrite(visits, stress);
   PeriodResult result;
   result.compaction.reserve(visits.size());

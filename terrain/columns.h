@@ -8,6 +8,7 @@
 #include "terrain/column_profiles.h"
 #include "terrain/stress_field.h"
 #include "terrain/surface.h"
+#include "terrain/wall_times.h"
 
 namespace softsoil {
 
@@ -34,7 +35,7 @@ class Columns {
   // Only those columns are visited that the load can compact, and those with an open load cycle;
   // for all others the result would be the same. If memory runs out, or the stress field throws,
   // all columns stay as they were.
-  PeriodResult Advance(const SurfaceLoad& load, double period);
+  PeriodResult Advance(const SurfaceLoad& load, double period, WallTimes* times = nullptr);
 
   std::size_t column_count() const { return tiles_.size() * kColumnsPerTile; }
   std::size_t volume_count() const { return column_count() * settings().volumes; }

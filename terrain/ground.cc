@@ -114,11 +114,13 @@ SurfaceLoad Ground::MeanLoad(const CompactedSurface& surface) const {
 }
 
 std::shared_ptr<Ground::Job> Ground::MakeJob(const Job* done) const {
-  return std::make_shared<Job>(Job{MeanLoad(SurfaceAfter(done)), clock_.Elapsed(), settings_.sync});
+  return std::make_shared<Job>(
+      Job{MeanLoad(SurfaceAfter(done)), clock_.Elapsed(), settings_.sync, times_});
 }
 
 Ground::Tick Ground::Prepare(std::shared_ptr<const Job> done, const SurfaceLoad& load) {
   Tick tick;
+  const Stopwatch stopwatch(times_.get(), Work::kFlow);
   tick.flow = flow_.Tick(SurfaceAfter(done.get()), load);
   if (done != nullptr) {
     tick.columns = done->columns;
@@ -130,6 +132,7 @@ Ground::Tick Ground::Prepare(std::shared_ptr<const Job> done, const SurfaceLoad&
 }
 
 void Ground::Finish(Tick tick) {
+  const Stopwatch stopwatch(times_.get(), Work::kFlow);
   if (tick.done != nullptr) {
     for (const NodeSinkage& c : tick.done->result.compaction) surface_.SetCompaction(c);
     columns_ = std::move(tick.columns);
@@ -142,7 +145,7 @@ void Ground::Finish(Tick tick) {
 }
 
 void Ground::Job::Do() {
-  result = columns.Advance(load, period);
+  result = columns.Advance(load, period, times.get());
   if (!keeps_load) load = {};  // copies of the ground may hold the job for long
   is_done = true;
 }
@@ -167,6 +170,7 @@ void Ground::Start(std::shared_ptr<Job> job) {
 
 std::shared_ptr<const Ground::Job> Ground::DoneJob() const {
   if (job_ == nullptr) return nullptr;
+  const Stopwatch stopwatch(times_.get(), Work::kWaiting);
   if (job_done_.valid()) job_done_.wait();
   if (job_->is_done) return job_;
   const auto again = std::make_shared<Job>(*job_);
@@ -253,7 +257,7 @@ void Ground::Read(StateReader& reader) {
   reader.Require(clock_.IsFullAt(period), "a soil period");
   const int sources = static_cast<int>(gatherers_.size());
   SurfaceLoad load = ReadSurfaceLoad(reader, sources, kMostPressure * area);
-  const auto job = std::make_shared<Job>(Job{std::move(load), period, settings_.sync});
+  const auto job = std::make_shared<Job>(Job{std::move(load), period, settings_.sync, times_});
   job->columns = std::move(columns_);
   job->is_done = reader.GetFlag();
   if (job->is_done) job->result = ReadPeriodResult(reader);

@@ -14,6 +14,7 @@
 #include "terrain/soil_map.h"
 #include "terrain/surface.h"
 #include "terrain/surface_load.h"
+#include "terrain/wall_times.h"
 
 namespace softsoil {
 
@@ -80,6 +81,9 @@ class Ground {
   std::size_t ColumnBytes() const;  // of columns, volumes and surface
   std::size_t VolumeBytes() const;  // part of it that grows with the number of volumes
 
+  // Of this ground and its copies.
+  WallTimes& Times() const { return *times_; }
+
   // Bytes of soil that had to be copied so far because other copies shared them; of the columns as
   // of the last job that was awaited. And what no copy shares, but for the columns.
   std::size_t BytesCopied() const;
@@ -97,6 +101,7 @@ class Ground {
     SurfaceLoad load;
     double period;    // [s]
     bool keeps_load;  // once done: with `sync`, for the soil that moves when the surface sinks
+    std::shared_ptr<WallTimes> times;
     Columns columns = {};
     PeriodResult result = {};
     bool is_done = false;  // else there is no result yet, and columns are as they were
@@ -135,6 +140,7 @@ class Ground {
   std::vector<CompactionWork> work_;     // by source
   bool lowest_volume_yields_ = false;
   std::size_t column_bytes_copied_ = 0;
+  std::shared_ptr<WallTimes> times_ = std::make_shared<WallTimes>();
 
   // The job in flight, which has the columns meanwhile; null if none.
   std::shared_ptr<Job> job_;

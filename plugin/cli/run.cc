@@ -25,7 +25,8 @@ namespace {
 constexpr double kAveragedOver = 1;  // [s]
 
 std::vector<std::string> Results() {
-  return {"wheels.csv", "contact.csv", "terrain.npy", "summary.json", "terrain.png", "contact.png"};
+  return {"wheels.csv",  "contact.csv", "terrain.npy", "summary.json",
+          "terrain.png", "contact.png", "profile.png"};
 }
 
 void RequirePositive(const char* option, double value) {
@@ -76,7 +77,9 @@ class Drive {
         plan_(plan),
         log_(options.folder + "/wheels.csv"),
         contact_log_(options.folder + "/contact.csv"),
-        progress_(plan.steps.duration()) {}
+        progress_(plan.steps.duration()) {
+    if (options.profile) profiler_.emplace(simulation);
+  }
 
   RunResult ToTheEnd() {
     const RunSteps& steps = plan_.steps;
@@ -119,7 +122,9 @@ class Drive {
   }
 
   void Step(long step) {
+    if (profiler_) profiler_->BeginStep();
     simulation_.Step(controls_);
+    if (profiler_) profiler_->EndStep();
     if (step >= plan_.first_averaged) Average();
     result_.wall_time =
         std::chrono::duration<double>(std::chrono::steady_clock::now() - begun_).count();
@@ -139,6 +144,7 @@ class Drive {
     result_.averaged_over = (steps.last() - plan_.first_averaged) * steps.time_step();
     result_.ground = simulation_.Ground();
     result_.state_hash = simulation_.StateHash();
+    if (profiler_) result_.profile = profiler_->Of(result_.wall_time);
   }
 
   Simulation& simulation_;
@@ -148,6 +154,7 @@ class Drive {
   WheelLog log_;
   ContactLog contact_log_;
   Progress progress_;
+  std::optional<Profiler> profiler_;
   std::chrono::steady_clock::time_point begun_ = std::chrono::steady_clock::now();
   RunResult result_;
 };
@@ -187,6 +194,7 @@ void Run(const RunOptions& options) {
   WriteTerrain(simulation, options.folder);
   WriteSummary(options, result);
   if (options.picture) DrawPictures(python, options.folder, {"terrain", "contact"});
+  if (options.picture && options.profile) DrawPictures(python, options.folder, {"profile"});
   PrintSummary(options, result);
 }
 

@@ -2,9 +2,11 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "plugin/cli/run_profile.h"
 #include "plugin/cli/state_saves.h"
 #include "plugin/cli/wheel_columns.h"
 #include "plugin/softsoil.h"
@@ -22,6 +24,7 @@ struct RunOptions {
   std::vector<StateSave> save_states;
   std::string settings;  // for softsoil_attach()
   bool picture = true;
+  bool profile = false;
 };
 
 struct WheelResult {
@@ -38,12 +41,13 @@ struct RunResult {
   softsoilGround ground = {};
   double time_step = 0;          // [s]
   std::uint64_t state_hash = 0;  // at the end
+  std::optional<RunProfile> profile;
 };
 
-// Writes wheels.csv, contact.csv, terrain.npy, summary.json, terrain.png, contact.png and the
-// states. All times are simulated ones, and a run that goes on from a state has the same bits as
-// one that was not interrupted. Refuses bad input with InputError before anything is run or
-// written; throws std::runtime_error if the run fails.
+// Writes wheels.csv, contact.csv, terrain.npy, summary.json, terrain.png, contact.png, with a
+// profile profile.png, and the states. All times are simulated ones, and a run that goes on from a
+// state has the same bits as one that was not interrupted. Refuses bad input with InputError before
+// anything is run or written; throws std::runtime_error if the run fails.
 void Run(const RunOptions& options);
 
 }  // namespace softsoil

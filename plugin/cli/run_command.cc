@@ -89,6 +89,8 @@ void AddRunCommand(CLI::App& program) {
       ->type_name("FILE");
   command->add_flag("--no-picture", line->no_picture,
                     "Do not draw terrain.png and contact.png, which need python3 with matplotlib");
+  command->add_flag("--profile", options.profile,
+                    "Tell where the wall time went, in summary.json and profile.png");
   AddSetting(*command, line, "--threads", "threads", "Threads of the soil update");
   AddSetting(*command, line, "--soil-clock", "clock", "Simulated time between soil updates [s]");
   AddSetting(*command, line, "--mode", "mode",

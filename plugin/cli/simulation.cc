@@ -177,6 +177,12 @@ softsoilGround Simulation::Ground() const {
   return ground;
 }
 
+softsoilProfile Simulation::Profile() const {
+  softsoilProfile profile;
+  Require(softsoil_profile(data_, &profile));
+  return profile;
+}
+
 void Simulation::VisitSurface(softsoilVisitor visit, void* user) const {
   Require(softsoil_visit_surface(data_, visit, user));
 }

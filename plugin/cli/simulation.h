@@ -61,6 +61,7 @@ class Simulation {
   // Height [m] of the surface.
   double Height(double x, double y) const;
   softsoilGround Ground() const;
+  softsoilProfile Profile() const;
   void VisitSurface(softsoilVisitor visit, void* user) const;
 
  private:

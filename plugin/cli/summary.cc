@@ -52,6 +52,22 @@ Json WheelUnits() {
   return units;
 }
 
+Json Seconds(const TimeShares& shares) {
+  Json json = Json::object();
+  for (const auto& [name, time] : shares) json[name] = time;
+  return json;
+}
+
+void PrintProfile(const RunProfile& profile) {
+  const auto print = [](const char* whole, const TimeShares& shares) {
+    std::printf("%s", whole);
+    for (const auto& [name, time] : shares) std::printf("  %s %.2f s", name.c_str(), time);
+    std::printf("\n");
+  };
+  print("Wall time: ", profile.run);
+  print("Soil update: ", profile.soil_update);
+}
+
 double CompactionEnergy(const RunResult& result) {
   double energy = 0;
   for (const WheelResult& wheel : result.wheels) energy += wheel.mean.Value("compaction_energy");
@@ -104,6 +120,10 @@ void WriteSummary(const RunOptions& options, const RunResult& result) {
   json["wheels"] = Json::array();
   for (const WheelResult& wheel : result.wheels) json["wheels"].push_back(WheelSummary(wheel));
   json["warnings"] = MujocoWarnings();
+  if (result.profile) {
+    json["profile"]["run"] = Seconds(result.profile->run);
+    json["profile"]["soil_update"] = Seconds(result.profile->soil_update);
+  }
 
   OutputFile file(options.folder + "/summary.json");
   // Names in a model need not be UTF-8; the summary of a long run must not be lost for that.
@@ -128,8 +148,10 @@ void PrintSummary(const RunOptions& options, const RunResult& result) {
   std::printf("Rut volume %.3f m^3, compaction energy %.2f kJ, state hash %s\n",
               result.ground.rut_volume, CompactionEnergy(result) / 1e3,
               Hexadecimal(result.state_hash).c_str());
-  std::printf("Results in %s: summary.json, wheels.csv, contact.csv, terrain.npy%s\n",
-              options.folder.c_str(), options.picture ? ", terrain.png, contact.png" : "");
+  if (result.profile) PrintProfile(*result.profile);
+  std::printf("Results in %s: summary.json, wheels.csv, contact.csv, terrain.npy%s%s\n",
+              options.folder.c_str(), options.picture ? ", terrain.png, contact.png" : "",
+              options.picture && options.profile ? ", profile.png" : "");
   FlushStandardOutput();
 }
 

@@ -116,6 +116,28 @@ class RunOptions(InAFolder):
         self.assertEqual(sorted(os.listdir(self.folder)),
                          [name for name in RESULTS if not name.endswith(".png")])
 
+    def test_profile_tells_where_the_time_went_and_changes_nothing(self):
+        plain, profiled, in_place = (self.folder / name for name in ("plain", "profiled", "in_place"))
+        grid = COARSE[1:]
+        for folder, options in ((plain, COARSE), (profiled, ["--profile", *grid]),
+                                (in_place, ["--profile", "--sync", *COARSE])):
+            done = run(folder, *options)
+            self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertEqual(sorted(os.listdir(profiled)), sorted([*RESULTS, "profile.png"]))
+        matplotlib.image.imread(profiled / "profile.png")  # refuses what is no PNG
+        self.assertFalse((in_place / "profile.png").exists())
+        self.assertNotIn("profile", summary_of(plain))
+        self.assertEqual(summary_of(profiled)["state_hash"], summary_of(plain)["state_hash"])
+        for folder in (profiled, in_place):
+            summary = summary_of(folder)
+            run_parts, soil_update = summary["profile"]["run"], summary["profile"]["soil_update"]
+            self.assertEqual(list(run_parts), ["mujoco", "contact", "flow", "waiting", "results"])
+            self.assertAlmostEqual(sum(run_parts.values()), summary["wall_time"])
+            for name, time in {**run_parts, **soil_update}.items():
+                self.assertGreater(time, 0, name)
+        # In place, the step waits for all of the soil update.
+        self.assertGreater(run_parts["waiting"], sum(soil_update.values()))
+
     def test_scene_may_be_a_file(self):
         scene = pathlib.Path("models/scenes/soil_bin.xml").resolve()
         done = run(self.folder / "out", "--no-picture", scene=scene, seconds=0.05)

@@ -36,6 +36,15 @@ TEST(CApi, GivesNamesAndResults) {
   EXPECT_EQ(ground.volumes, 30 * ground.columns);
   EXPECT_GT(ground.rut_volume, 0);
 
+  softsoilProfile early, late;
+  ASSERT_EQ(softsoil_profile(sim.d.get(), &early), 0);
+  EXPECT_GT(early.contact, 0);
+  EXPECT_GT(early.stress, 0);
+  EXPECT_GT(early.compaction, 0);
+  for (int step = 0; step < 10; ++step) mj_step(sim.m.get(), sim.d.get());
+  ASSERT_EQ(softsoil_profile(sim.d.get(), &late), 0);
+  EXPECT_GT(late.contact, early.contact);
+
   double lowest = 0;
   softsoil_visit_surface(
       sim.d.get(),
