@@ -30,6 +30,11 @@ std::string BytesOf(const std::string& file) {
   if (is_directory(status)) throw InputError(file + ": is a folder, not a file");
   // A device or a pipe may have no end.
   if (exists(status) && !is_regular_file(status)) throw InputError(file + ": is no regular file");
+  const std::uintmax_t size = exists(status) ? std::filesystem::file_size(file, ignored) : 0;
+  if (size >= kMostCorners) {
+    throw InputError(file + ": must be smaller than " + std::to_string(kMostCorners) +
+                     " bytes, got " + std::to_string(size));
+  }
   std::ifstream stream(file, std::ios::binary);
   if (!stream) throw InputError(file + ": cannot read: " + std::strerror(errno));
   return {std::istreambuf_iterator<char>(stream), {}};
@@ -67,7 +72,7 @@ class Lines {
       const std::string word = first + k < words.size() ? words[first + k] : "";
       const bool has_plus = word.size() > 1 && word[0] == '+' && word[1] != '-';
       if (!ParseNumber(word.substr(has_plus ? 1 : 0), &point[k])) {
-        Refuse("a vertex must be three finite numbers, got \"" + word + "\"");
+        Refuse("a vertex must be three finite numbers, got " + Quoted(word));
       }
     }
     return point;
@@ -87,7 +92,7 @@ int ObjCorner(const Lines& lines, const std::string& word, std::size_t vertices)
   const auto count = static_cast<double>(vertices);
   if (!is_whole || std::abs(number) > count) {
     lines.Refuse("a corner must be one of the " + std::to_string(vertices) +
-                 " vertices so far, got \"" + word + "\"");
+                 " vertices so far, got " + Quoted(word));
   }
   return static_cast<int>(number > 0 ? number - 1 : count + number);
 }
@@ -117,8 +122,8 @@ TriangleMesh ParseObj(const std::string& file, const std::string& text) {
     } else if (std::find(std::begin(kObjIgnored), std::end(kObjIgnored), words[0]) ==
                std::end(kObjIgnored)) {
       lines.Refuse("a statement must be v, f, " +
-                   Listed({std::begin(kObjIgnored), std::end(kObjIgnored)}) + ", got \"" +
-                   words[0] + "\"");
+                   Listed({std::begin(kObjIgnored), std::end(kObjIgnored)}) + ", got " +
+                   Quoted(words[0]));
     }
   }
   return mesh;
@@ -137,7 +142,7 @@ std::array<Vector3d, 3> StlFacet(Lines& lines) {
   const auto expect = [&](const std::string& word) {
     const bool is_there = lines.Next(&words);
     const std::string found = is_there ? InLowerCase(words[0]) : "the end of the file";
-    if (found != word) lines.Refuse("expected \"" + word + "\", got \"" + found + "\"");
+    if (found != word) lines.Refuse("expected \"" + word + "\", got " + Quoted(found));
   };
   expect("outer");
   for (Vector3d& corner : corners) {
@@ -161,8 +166,8 @@ TriangleMesh ParseTextStl(const std::string& file, const std::string& text) {
     } else if (word == (is_open ? "endsolid" : "solid")) {
       is_open = !is_open;
     } else {
-      lines.Refuse(std::string("expected ") + (is_open ? "facet or endsolid" : "solid") +
-                   ", got \"" + words[0] + "\"");
+      lines.Refuse(std::string("expected ") + (is_open ? "facet or endsolid" : "solid") + ", got " +
+                   Quoted(words[0]));
     }
   }
   if (is_open) lines.Refuse("endsolid is missing: the file is cut off");
@@ -220,10 +225,6 @@ TriangleMesh ParseStl(const std::string& file, const std::string& bytes) {
 }
 
 TriangleMesh Parse(const std::string& file, const std::string& bytes) {
-  if (bytes.size() > kMostCorners) {
-    throw InputError(file + ": must be smaller than " + std::to_string(kMostCorners) +
-                     " bytes, got " + std::to_string(bytes.size()));
-  }
   const std::string ending = InLowerCase(std::filesystem::path(file).extension().string());
   if (ending == ".obj") return ParseObj(file, bytes);
   if (ending == ".stl") return ParseStl(file, bytes);

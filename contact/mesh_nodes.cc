@@ -6,6 +6,7 @@
 #include <map>
 #include <string>
 
+#include "terrain/constants.h"
 #include "terrain/input_error.h"
 
 namespace softsoil {
@@ -128,6 +129,37 @@ class Gatherer {
   std::map<Cube, std::vector<int>> in_cube_;
 };
 
+// Solid angle [rad] that a triangle covers, seen from a point; positive from behind it. Van
+// Oosterom and Strackee (1983).
+double SolidAngle(const TriangleMesh& mesh, int triangle, const Vector3d& from) {
+  const std::array<int, 3>& corners = mesh.triangles[triangle];
+  const Vector3d a = mesh.vertices[corners[0]] - from, b = mesh.vertices[corners[1]] - from,
+                 c = mesh.vertices[corners[2]] - from;
+  const double la = a.norm(), lb = b.norm(), lc = c.norm();
+  return 2 * std::atan2(a.dot(b.cross(c)),
+                        la * lb * lc + a.dot(b) * lc + b.dot(c) * la + c.dot(a) * lb);
+}
+
+// Whether the soil cannot get to a point, as it is within one of the parts of a closed mesh.
+bool IsInside(const TriangleMesh& mesh, const Vector3d& point) {
+  double angle = 0;
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    angle += SolidAngle(mesh, static_cast<int>(t), point);
+  }
+  return angle > 2 * kPi;
+}
+
+// Without the nodes that lie within another part: the wall of a hollow wheel, a spoke in its rim.
+TireNodes Outside(const TriangleMesh& mesh, double spacing, const TireNodes& nodes) {
+  constexpr double kAway = 0.1;  // [-]  of the spacing: nodes of a curved face lie below it
+  TireNodes outside;
+  for (std::size_t i = 0; i < nodes.size(); ++i) {
+    if (IsInside(mesh, nodes.position_t[i] + kAway * spacing * nodes.normal_t[i])) continue;
+    AddNode(nodes.position_t[i], nodes.normal_t[i], nodes.area[i], &outside);
+  }
+  return outside;
+}
+
 }  // namespace
 
 TireNodes MakeMeshNodes(const TriangleMesh& mesh, double spacing) {
@@ -141,7 +173,9 @@ TireNodes MakeMeshNodes(const TriangleMesh& mesh, double spacing) {
     const std::array<int, 3>& v = mesh.triangles[t];
     gatherer.Add({{mesh.vertices[v[0]], mesh.vertices[v[1]], mesh.vertices[v[2]]}}, faces[t]);
   }
-  return gatherer.Nodes();
+  const std::vector<int> parts = Parts(Neighbours(mesh));
+  const bool has_several = std::any_of(parts.begin(), parts.end(), [](int p) { return p > 0; });
+  return has_several ? Outside(mesh, spacing, gatherer.Nodes()) : gatherer.Nodes();
 }
 
 }  // namespace softsoil

@@ -8,7 +8,8 @@ namespace softsoil {
 
 constexpr int kMostNodes = 1000000;
 
-// Nodes of a closed mesh, about `spacing` [m] > 0 apart; their areas add up to that of the mesh.
+// Nodes of a closed mesh, about `spacing` [m] > 0 apart; their areas add up to that of the mesh but
+// for what lies within another of its parts.
 //
 // Triangles are halved across their longest edge until they are much smaller than that, and the
 // pieces in a cube of the spacing make a node, as far as they hang together without an edge that

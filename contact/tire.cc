@@ -68,16 +68,23 @@ std::shared_ptr<const TriangleMesh> ReadTireMesh(XmlEntry& entry, const TireShap
   const double scale =
       entry.Has("mesh", "scale") ? entry.Number("mesh", "scale", "", Range::kPositive) : 1;
   const std::string path = (std::filesystem::path(entry.file()).parent_path() / file).string();
-  auto mesh = std::make_shared<TriangleMesh>(ReadMesh(path, scale));
+  std::shared_ptr<TriangleMesh> mesh;
+  try {
+    mesh = std::make_shared<TriangleMesh>(ReadMesh(path, scale));
+  } catch (const InputError& error) {
+    entry.Refuse(error.what());
+  }
   const Extent extent = ExtentOf(*mesh);
-  const double half_width = std::max(extent.high.y(), -extent.low.y());
+  if (std::abs(extent.Middle().y()) > kSameSize * extent.Size().y()) {
+    entry.Refuse("the mesh must have its middle at y = 0 m, got " + Shown(extent.Middle().y()));
+  }
   const auto require = [&](const char* name, double ours, double theirs) {
     if (std::abs(ours - theirs) <= kSameSize * theirs) return;
     entry.Refuse(std::string(name) + " must be that of the mesh, " + Shown(ours) +
                  " m about its y axis, got " + Shown(theirs));
   };
   require("radius", RadiusAboutY(*mesh), shape.radius);
-  require("width", 2 * half_width, shape.width);
+  require("width", extent.Size().y(), shape.width);
   return mesh;
 }
 

@@ -88,6 +88,9 @@ void AddShapes(const mjModel* m, const std::vector<std::string>& geoms,
       const int geom = GeomWithName(m, name);
       const TriangleMesh mesh_b = MeshOfGeom(m, geom);
       Wheel* wheel = WheelOf(m, geom, wheels);
+      if (wheel->mesh != nullptr && wheel->geom == geom) {
+        throw InputError(GeomName(m, geom) + " is named twice");
+      }
       if (wheel->mesh != nullptr) {
         throw InputError(BodyName(m, wheel->body) + " must have one shape, got two: " +
                          GeomName(m, wheel->geom) + " and " + GeomName(m, geom));

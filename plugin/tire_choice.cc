@@ -127,8 +127,8 @@ std::vector<Tire> ChooseTires(const mjModel* m, const std::vector<Wheel>& wheels
   std::vector<Tire> tires;
   for (const Wheel& wheel : wheels) {
     const auto own = settings.tires.of_body.find(wheel.name);
-    const std::string& name =
-        own == settings.tires.of_body.end() ? settings.tires.of_all : own->second;
+    const std::string& of_rest = wheel.joint < 0 ? kAutoTire : settings.tires.of_all;
+    const std::string& name = own == settings.tires.of_body.end() ? of_rest : own->second;
     if (name == kAutoTire) {
       tires.push_back(MakeAutoTire(m, wheels, wheel));
     } else {

@@ -23,6 +23,15 @@ std::string Rounded(double value, int digits) {
   return Shown(rounded);
 }
 
+std::string Quoted(const std::string& word) {
+  constexpr std::size_t kMost = 40;
+  std::string text = word.substr(0, kMost);
+  for (char& c : text) {
+    if (c < ' ' || c > '~') c = '?';
+  }
+  return '"' + text + (word.size() > kMost ? "...\"" : "\"");
+}
+
 std::string Listed(const std::vector<std::string>& words) {
   std::string list;
   for (const std::string& word : words) list += (list.empty() ? "" : ", ") + word;

@@ -20,6 +20,9 @@ std::string Shown(double value);
 // The same, rounded to so many significant digits.
 std::string Rounded(double value, int digits);
 
+// A word of a file that may hold anything: in quotes, what cannot be printed as ?, and cut short.
+std::string Quoted(const std::string& word);
+
 // "a, b, c"
 std::string Listed(const std::vector<std::string>& words);
 

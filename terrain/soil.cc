@@ -120,7 +120,12 @@ std::optional<double> ReadAngleOfRepose(XmlEntry& entry, const Soil& soil) {
 
 double ReadSlipSinkage(XmlEntry& entry) {
   if (!entry.Has("shear", "slip_sinkage")) return 0.0;
-  return entry.Number("shear", "slip_sinkage", "", Range::kNotNegative);
+  const double slip_sinkage = entry.Number("shear", "slip_sinkage", "", Range::kNotNegative);
+  if (slip_sinkage > kMostSlipSinkage) {
+    entry.Refuse("slip_sinkage must be 0 to " + Shown(kMostSlipSinkage) + ", got " +
+                 Shown(slip_sinkage));
+  }
+  return slip_sinkage;
 }
 
 Unloading ReadUnloading(XmlEntry& entry) {

@@ -35,8 +35,10 @@ struct Soil {
   double concentration_factor;       // [-]  nu of Froehlich, 3 (elastic) to 6 (very soft)
   std::optional<MaxStress> max_stress;
   std::optional<double> angle_of_repose;  // [rad]  of a heap of loose soil, > 0
-  double slip_sinkage = 0;  // [-]  S of SlipSinkage(), >= 0
+  double slip_sinkage = 0;                // [-]  S of SlipSinkage(), >= 0
 };
+
+constexpr double kMostSlipSinkage = 10;  // [-]  a share of the work; 1 is much
 
 // Angle [rad] at which a heap of loose soil comes to rest: as given, or the friction angle, at
 // which loose soil without cohesion stands (Terzaghi 1943), but no less than kLeastRepose.

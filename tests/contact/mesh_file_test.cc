@@ -124,6 +124,11 @@ TEST_F(MeshFile, IsRefusedIfItCannotBeRead) {
 }
 
 TEST_F(MeshFile, NamesTheLineOfABrokenObj) {
+  EXPECT_EQ(Refusal("a.obj", "v 0 0 \x1b[2J\n"),
+            ":1: a vertex must be three finite numbers, got \"?[2J\"");
+  EXPECT_EQ(Refusal("a.obj", std::string(1000, 'x') + "\n"),
+            ":1: a statement must be v, f, vt, vn, g, o, s, usemtl, mtllib, got \"" +
+                std::string(40, 'x') + "...\"");
   EXPECT_EQ(Refusal("a.obj", "v 0 0\n"), ":1: a vertex must be three finite numbers, got \"\"");
   EXPECT_EQ(Refusal("a.obj", "#\n\nv 0 nan 0\n"),
             ":3: a vertex must be three finite numbers, got \"nan\"");

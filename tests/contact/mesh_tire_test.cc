@@ -24,9 +24,10 @@ const std::string kTire = R"(<tires>
 )";
 
 // Files of one test: the mesh, and an XML file beside it that names it without a folder.
-Tire Read(const std::string& xml, double scale = 1) {
+Tire Read(const std::string& xml, double scale = 1,
+          const Eigen::Vector3d& middle = Eigen::Vector3d::Zero()) {
   TriangleMesh mesh = kWheel.Mesh();
-  for (Eigen::Vector3d& v : mesh.vertices) v *= scale;
+  for (Eigen::Vector3d& v : mesh.vertices) v = scale * v + middle;
   const std::string file = WriteFile("wheel.obj", Obj(mesh));
   const std::string name = file.substr(file.rfind('/') + 1);
   Catalogue<Tire> tires = TireCatalogue();
@@ -56,8 +57,17 @@ TEST(MeshTire, MustHaveTheSizeOfItsShape) {
   EXPECT_THAT([] { Read(kTire, 1000); }, Refuses("mesh"));
 }
 
+TEST(MeshTire, MustBeInTheMiddleOfItsTread) {
+  EXPECT_THAT(
+      [] {
+        Read(kTire, 1, {0, 0.2, 0});
+      },
+      Refuses(R"(:2: <tire name="rover">: the mesh must have its middle at y = 0 m, got 0.2)"));
+}
+
 TEST(MeshTire, MustNotBeOfAFileThatIsNotThere) {
-  EXPECT_THAT([] { Read(Replaced(kTire, "MESH", "none/MESH")); }, Refuses("/none/"));
+  EXPECT_THAT([] { Read(Replaced(kTire, "MESH", "none/MESH")); },
+              Refuses(R"(:2: <tire name="rover">: /)"));
   EXPECT_THAT([] { Read(Replaced(kTire, "MESH", "MESH.dae")); }, Refuses(".dae"));
 }
 

@@ -145,12 +145,29 @@ TEST(Shapes, PushAheadWithTheirGrousers) {
   EXPECT_LT(lugged.motion_resistance, smooth.motion_resistance - 0.05 * kOneWheelWeight);
 }
 
+// One tire named for all is that of the wheels, not of a belly.
+TEST(Shapes, ThatAreNoWheelsAreRigidUnlessTheirTireIsNamed) {
+  const auto tire_of = [](const std::string& tires) {
+    OneWheel model;
+    model.custom +=
+        R"(<text name="softsoil_shapes" data="belly"/><text name="softsoil_tire" data=")" + tires +
+        R"("/>)";
+    model.others = R"(<worldbody><body name="sled" pos="3 0 1"><joint type="slide" axis="0 0 1"/>
+        <geom name="belly" type="box" size=".3 .3 .1" contype="4"/></body></worldbody>)";
+    const Model m = Load(model.Mjcf());
+    return MakePlan(m.get(), SettingsOf(m.get())).tires.back().name;
+  };
+  EXPECT_EQ(tire_of("37x12.5R16.5_15psi"), kRigidTire);
+  EXPECT_EQ(tire_of("37x12.5R16.5_15psi,sled=37x12.5R16.5_35psi"), "37x12.5R16.5_35psi");
+}
+
 TEST(Shapes, AreRefusedIfTheyCannotBe) {
   EXPECT_EQ(Refusal("none"), "softsoil_shapes: the model has no geom \"none\"");
   EXPECT_EQ(Refusal("knob"),
-            "softsoil_shapes: geom \"knob\": must be a mesh or a box to have the shape of a mesh");
+            "softsoil_shapes: geom \"knob\": must be of type mesh or box, got sphere");
   EXPECT_EQ(Refusal("wall"),
             "softsoil_shapes: geom \"wall\" is fixed to the world: its body must be able to move");
+  EXPECT_EQ(Refusal("shoe,shoe"), "softsoil_shapes: geom \"shoe\" is named twice");
   EXPECT_EQ(Refusal("shoe,heel", R"(<geom name="heel" type="box" size=".1 .1 .1"/>)"),
             "softsoil_shapes: body \"plate\" must have one shape, got two: geom \"shoe\" and geom "
             "\"heel\"");

@@ -66,6 +66,7 @@ TEST(SoilFile, MayHoldSlipSinkage) {
   EXPECT_EQ(Read(sinks).slip_sinkage, 0.3);
   EXPECT_EQ(Refusal(Replaced(sinks, "0.3", "-0.1")),
             " <shear>: slip_sinkage must be >= 0, got -0.1");
+  EXPECT_EQ(Refusal(Replaced(sinks, "0.3", "11")), ": slip_sinkage must be 0 to 10, got 11");
 }
 
 TEST(SoilFile, MaySayThatTheGroundSpringsBack) {

@@ -108,7 +108,7 @@ def legend_above(axes, handles=None):
 def from_zero(axes):
     """Zero at the edge or inside, and room for the markers."""
     low, high = axes.dataLim.intervaly
-    if low == high == 0:
+    if low > high or low == high == 0:  # nothing is drawn, or nothing but zeros
         return
     room = 0.05 * (max(high, 0) - min(low, 0))
     axes.set_ylim(min(0, low) - room * (low < 0), max(0, high) + room * (high > 0))
@@ -224,6 +224,9 @@ def draw_centre_line(folder, summary):
         handles.append(Line2D([], [], color="#222222", label=RIGID_NAME, **RIGID))
     if handles:
         legend_above(above, handles)
+    if not lines:
+        above.text(0.5, 0.5, "A mesh has no rings of nodes: contact.png of softsoil run shows its contact.",
+                   transform=above.transAxes, ha="center", va="center")
     figure.suptitle(f"{title_of(summary)}: stress along the centre line", fontsize=13, x=0.012,
                     ha="left")
     save(figure, folder, "centre_line.png")
