@@ -41,4 +41,11 @@ struct StressSettings {
 // error against the laws in double is below 1e-5 of the peak stress.
 std::unique_ptr<StressField> MakeDirectStress(const StressSettings& settings);
 
+// The same sum in parts: near pairs one by one, all others as Gaussians, which are separable, so
+// that the cost of a pair falls with the number of pairs. Columns and forces must stand on the
+// nodes of a grid of that spacing [m]. The near field is the same to the bit. The error against the
+// sum over all pairs is below 1e-2 of the peak stress and 1e-3 in root mean square as long as
+// horizontal forces are smaller than vertical ones.
+std::unique_ptr<StressField> MakeGaussianStress(const StressSettings& settings, double spacing);
+
 }  // namespace softsoil
