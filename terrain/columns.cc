@@ -70,9 +70,11 @@ PeriodResult Columns::Advance(const SurfaceLoad& load, double period) {
     if (tiles_.Find(visit.tile) == nullptr) Touch(visit.tile);
   }
   std::vector<float> stress;
-  model_->stress_field->VerticalStress(Geometry(visits, load), load, &stress);
+  const ColumnBatch batch = Geometry(visits, load);
+  model_->stress_field->VerticalStress(batch, load, &stress);
   const std::vector<Tile*> tiles = TilesToWrite(visits, stress);
   PeriodResult result;
+  if (!visits.empty()) result.stress_backend = model_->stress_field->BackendFor(batch, load);
   result.compaction.reserve(visits.size());
   for (const Visit& visit : visits) {
     if (visit.source >= static_cast<int>(result.energy.size())) {

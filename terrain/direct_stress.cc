@@ -50,6 +50,10 @@ class DirectStress : public StressField {
     }
   }
 
+  StressBackend BackendFor(const ColumnBatch&, const SurfaceLoad&) const override {
+    return StressBackend::kDirect;
+  }
+
   void VerticalStress(const ColumnBatch& batch, const SurfaceLoad& load,
                       std::vector<float>* stress) const override {
     stress->assign(batch.columns() * batch.volumes, 0.0f);

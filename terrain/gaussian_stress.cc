@@ -46,6 +46,10 @@ class GaussianStress : public StressField {
     }
   }
 
+  StressBackend BackendFor(const ColumnBatch&, const SurfaceLoad&) const override {
+    return StressBackend::kGaussian;
+  }
+
   void VerticalStress(const ColumnBatch& batch, const SurfaceLoad& load,
                       std::vector<float>* stress) const override {
     stress->assign(batch.columns() * batch.volumes, 0.0f);

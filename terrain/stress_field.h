@@ -20,9 +20,18 @@ struct ColumnBatch {
   std::size_t columns() const { return x.size(); }
 };
 
+// Which sum the stress is taken from.
+enum class StressBackend { kDirect, kGaussian, kAuto };
+constexpr StressBackend kStressBackends[] = {StressBackend::kDirect, StressBackend::kGaussian,
+                                             StressBackend::kAuto};
+const char* NameOf(StressBackend backend);  // direct, gaussian, auto
+
 class StressField {
  public:
   virtual ~StressField() = default;
+
+  // The backend that VerticalStress() of the same takes, never kAuto.
+  virtual StressBackend BackendFor(const ColumnBatch& batch, const SurfaceLoad& load) const = 0;
 
   // Fills stress[column * batch.volumes + volume] [Pa], compression positive, resized to fit.
   // Volumes closer than the near field radius to a force take the surface pressure of their own
@@ -47,5 +56,13 @@ std::unique_ptr<StressField> MakeDirectStress(const StressSettings& settings);
 // sum over all pairs is below 1e-2 of the peak stress and 1e-3 in root mean square as long as
 // horizontal forces are smaller than vertical ones.
 std::unique_ptr<StressField> MakeGaussianStress(const StressSettings& settings, double spacing);
+
+// Whichever of the two is faster for a batch and a load: from this number of pairs of a volume and
+// a force on the Gaussians. A choice by size alone, so that results can be repeated.
+constexpr double kPairsForGaussians = 1e5;
+std::unique_ptr<StressField> MakeAutoStress(const StressSettings& settings, double spacing);
+
+std::unique_ptr<StressField> MakeStressField(StressBackend backend, const StressSettings& settings,
+                                             double spacing);
 
 }  // namespace softsoil

@@ -9,9 +9,10 @@
 
 namespace softsoil {
 
-constexpr int kPatchSide = 64;  // [nodes]  at most
+constexpr int kPatchSide = 96;          // [nodes]  at most
+constexpr double kPatchFill = 1.0 / 3;  // share of a patch's nodes whose columns are asked for
 
-// The smallest rectangle around those columns of one soil law that lie in one square of the grid.
+// A rectangle of the grid with columns of one soil law.
 struct StressPatch {
   int law;
   int i0 = 0, j0 = 0;       // its first node
