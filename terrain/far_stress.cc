@@ -13,6 +13,7 @@ namespace {
 // forces by this part of the depth, for there the stress changes more slowly.
 constexpr float kLeastDistance = 0.5f, kPartOfDepth = 0.3f;
 constexpr int kPlanesPerInterval = 4;
+constexpr int kMostPlanes = 2000;  // of columns that no ground has
 
 int Outside(int k, int n) { return std::max({0, -k, k - (n - 1)}); }
 
@@ -58,11 +59,12 @@ void FarStress::Add(const NodeForce& f) {
 // the lowest force.
 void FarStress::PlacePlanes(float onset, float lowest) {
   const float bottom = static_cast<float>((patch_.bottom - patch_.top) / spacing_);
+  const float least = std::max(kLeastDistance, (onset - bottom) / kMostPlanes);
   float z = onset;
   heights_.push_back(z);
   while (z > bottom || heights_.size() < kPlanesPerInterval) {
     const float depth = lowest - z;
-    z -= std::max(kLeastDistance, kPartOfDepth * (depth - law_.share.all_far() + 2));
+    z -= std::max(least, kPartOfDepth * (depth - law_.share.all_far() + 2));
     heights_.push_back(z);
   }
 }
@@ -173,9 +175,9 @@ void FarStress::AddBetween(const float* on_planes, const double* z, int volumes,
     while (p < last && height < heights_[p + 1]) ++p;
     const Interval& interval = intervals_[p];
     const float s = (interval.top - height) * interval.inverse;
-    const auto weight = [&](int power) { return FourAt(interval.weight[power]); };
+    const auto weight = [&](int power) { return FourAt(interval.weight[power]).floats; };
     const Four part = (((weight(3) * s + weight(2)) * s + weight(1)) * s + weight(0)) *
-                      FourAt(on_planes + interval.first);
+                      FourAt(on_planes + interval.first).floats;
     stress[k] += (part[0] + part[1]) + (part[2] + part[3]);
   }
 }

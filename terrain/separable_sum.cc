@@ -40,15 +40,16 @@ SOFTSOIL_SIMD void SumAlongX(const Sources& s, const Bell& bell, int width, floa
         const Source& source = s.all[f];
         const float* value = bell.value + x - source.i;
         const float* slope = bell.slope + x - source.i;
-        bell0 += source.value * EightAt(value) + source.along_x * EightAt(slope);
-        bell1 += source.value * EightAt(value + 8) + source.along_x * EightAt(slope + 8);
-        slope0 += source.along_y * EightAt(value);
-        slope1 += source.along_y * EightAt(value + 8);
+        bell0 += source.value * EightAt(value).floats + source.along_x * EightAt(slope).floats;
+        bell1 +=
+            source.value * EightAt(value + 8).floats + source.along_x * EightAt(slope + 8).floats;
+        slope0 += source.along_y * EightAt(value).floats;
+        slope1 += source.along_y * EightAt(value + 8).floats;
       }
-      EightAt(with_bell + x) = bell0;
-      EightAt(with_bell + x + 8) = bell1;
-      EightAt(with_slope + x) = slope0;
-      EightAt(with_slope + x + 8) = slope1;
+      EightAt(with_bell + x).floats = bell0;
+      EightAt(with_bell + x + 8).floats = bell1;
+      EightAt(with_slope + x).floats = slope0;
+      EightAt(with_slope + x + 8).floats = slope1;
     }
   }
 }
@@ -66,8 +67,8 @@ SOFTSOIL_SIMD void SumAlongY(const Sources& s, const Bell& bell, int width, cons
         const float* v = u + width;
         const float* value = bell.value + y - s.rows[r].j;
         const float* slope = bell.slope + y - s.rows[r].j;
-        const Eight value0 = EightAt(value), value1 = EightAt(value + 8);
-        const Eight slope0 = EightAt(slope), slope1 = EightAt(slope + 8);
+        const Eight value0 = EightAt(value).floats, value1 = EightAt(value + 8).floats;
+        const Eight slope0 = EightAt(slope).floats, slope1 = EightAt(slope + 8).floats;
         a0 += u[0] * value0 + v[0] * slope0;
         a1 += u[0] * value1 + v[0] * slope1;
         b0 += u[1] * value0 + v[1] * slope0;
@@ -77,17 +78,17 @@ SOFTSOIL_SIMD void SumAlongY(const Sources& s, const Bell& bell, int width, cons
         d0 += u[3] * value0 + v[3] * slope0;
         d1 += u[3] * value1 + v[3] * slope1;
       }
-      EightAt(out) += a0;
-      EightAt(out + 8) += a1;
+      EightAt(out).floats += a0;
+      EightAt(out + 8).floats += a1;
       out += target.ny;
-      EightAt(out) += b0;
-      EightAt(out + 8) += b1;
+      EightAt(out).floats += b0;
+      EightAt(out + 8).floats += b1;
       out += target.ny;
-      EightAt(out) += c0;
-      EightAt(out + 8) += c1;
+      EightAt(out).floats += c0;
+      EightAt(out + 8).floats += c1;
       out += target.ny;
-      EightAt(out) += d0;
-      EightAt(out + 8) += d1;
+      EightAt(out).floats += d0;
+      EightAt(out + 8).floats += d1;
     }
   }
 }

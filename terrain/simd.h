@@ -10,12 +10,23 @@
 
 namespace softsoil {
 
-// Floats side by side, anywhere in memory. Eight only within functions that are marked so.
-typedef float Four __attribute__((vector_size(16), aligned(4), may_alias));
-typedef float Eight __attribute__((vector_size(32), aligned(4), may_alias));
+// Floats side by side. Eight only within functions that are marked so.
+typedef float Four __attribute__((vector_size(16)));
+typedef float Eight __attribute__((vector_size(32)));
 
-inline const Four& FourAt(const float* first) { return *reinterpret_cast<const Four*>(first); }
-inline const Eight& EightAt(const float* first) { return *reinterpret_cast<const Eight*>(first); }
-inline Eight& EightAt(float* first) { return *reinterpret_cast<Eight*>(first); }
+// The same anywhere in memory.
+template <class Floats>
+struct __attribute__((packed, may_alias)) Unaligned {
+  Floats floats;
+};
+inline const Unaligned<Four>& FourAt(const float* first) {
+  return *reinterpret_cast<const Unaligned<Four>*>(first);
+}
+inline const Unaligned<Eight>& EightAt(const float* first) {
+  return *reinterpret_cast<const Unaligned<Eight>*>(first);
+}
+inline Unaligned<Eight>& EightAt(float* first) {
+  return *reinterpret_cast<Unaligned<Eight>*>(first);
+}
 
 }  // namespace softsoil
