@@ -54,7 +54,7 @@ std::unique_ptr<StressField> MakeDirectStress(const StressSettings& settings);
 // that the cost of a pair falls with the number of pairs. Columns and forces must stand on the
 // nodes of a grid of that spacing [m]. The near field is the same to the bit. The error against the
 // sum over all pairs is below 1e-2 of the peak stress and 1e-3 in root mean square as long as
-// horizontal forces are smaller than vertical ones.
+// horizontal forces are at most 0.8 of vertical ones.
 std::unique_ptr<StressField> MakeGaussianStress(const StressSettings& settings, double spacing);
 
 // Whichever of the two is faster for a batch and a load: from this number of pairs of a volume and
