@@ -102,6 +102,9 @@ softsoilGround GroundResult(const SoilBinding& soil) {
   result.displaced_volume = ground.surface().DisplacedVolume();
   result.densified_volume = ground.surface().CompactionVolume();
   result.berm_volume = ground.surface().BermVolume();
+  result.stress = softsoil::NameOf(ground.settings().stress);
+  result.direct_updates = ground.stress_updates().direct;
+  result.gaussian_updates = ground.stress_updates().gaussian;
   return result;
 }
 

@@ -23,6 +23,15 @@ bool Choose(const std::string& text, const char* first, const char* second) {
   throw InputError("must be " + std::string(first) + " or " + second + ", got \"" + text + "\"");
 }
 
+StressBackend ParseStress(const std::string& text) {
+  std::vector<std::string> names;
+  for (const StressBackend backend : kStressBackends) {
+    names.push_back(NameOf(backend));
+    if (text == names.back()) return backend;
+  }
+  throw InputError("must be one of " + Listed(names) + ", got \"" + text + "\"");
+}
+
 // The entries of a list, at least one.
 std::vector<std::string> Entries(const std::string& text) {
   std::vector<std::string> entries = Words(text, " \t\n,");
@@ -170,6 +179,11 @@ const std::vector<Setting>& SettingTable() {
       {"threads", kWholeNumber, kThreadsLimits, "", "one per processor",
        "threads of the soil update; no influence on results",
        [](Settings& s, const V& v) { s.terrain.threads = static_cast<int>(v.number); }},
+      {"stress", kText, kNoLimits, "", "direct",
+       "stress in the soil: direct, every pair of a force and a volume; gaussian, sums of "
+       "Gaussians, much faster and up to 1 % of the peak stress off; auto: gaussian where it is "
+       "faster",
+       [](Settings& s, const V& v) { s.terrain.stress = ParseStress(v.text); }},
       {"history", kNumber, kHistoryLimits, "MB", "100",
        "past states of the soil, for mjData that are copied or restored; needs room in "
        "userdata, nuserdata of 2 or more; 0: none",

@@ -92,6 +92,9 @@ typedef struct softsoilGround_ {
   double displaced_volume;  // [m^3]  pressed away by wheels beyond compaction, to elsewhere
   double densified_volume;  // [m^3]  lost, the soil being denser
   double berm_volume;       // [m^3]  above the undisturbed ground
+  const char* stress;       // the setting: direct, gaussian or auto
+  size_t direct_updates;    // of the soil with load, by where the stress came from, since this
+  size_t gaussian_updates;  // soil was made
 } softsoilGround;
 
 // Wall time [s] that the soil of a mjData has taken so far, with that of its copies.

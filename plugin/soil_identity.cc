@@ -66,6 +66,7 @@ void AddGround(const SoilPlan& plan, IdentityList* list) {
   list->Add("clock", s.soil_clock);
   list->Add("sync", s.sync ? 1 : 0);
   list->Add("mode", s.mode == SurfaceMode::kFlow ? "flow" : "compaction");
+  list->Add("stress", NameOf(s.stress));
   const NurbsBumps& b = plan.bumps;
   list->Add("bumps", b.height == 0
                          ? "none"

@@ -67,17 +67,20 @@ PeriodResult Columns::Advance(const SurfaceLoad& load, double period, WallTimes*
   // All that may fail comes first.
   std::vector<Visit> visits;
   std::vector<float> stress;
+  ColumnBatch batch;
   {
     const Stopwatch stopwatch(times, Work::kStress);
     visits = ColumnsToVisit(load);
     for (const Visit& visit : visits) {
       if (tiles_.Find(visit.tile) == nullptr) Touch(visit.tile);
     }
-    model_->stress_field->VerticalStress(Geometry(visits, load), load, &stress);
+    batch = Geometry(visits, load);
+    model_->stress_field->VerticalStress(batch, load, &stress);
   }
   const Stopwatch stopwatch(times, Work::kCompaction);
   const std::vector<Tile*> tiles = TilesToWrite(visits, stress);
   PeriodResult result;
+  if (!visits.empty()) result.stress_backend = model_->stress_field->BackendFor(batch, load);
   result.compaction.reserve(visits.size());
   for (const Visit& visit : visits) {
     if (visit.source >= static_cast<int>(result.energy.size())) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "terrain/column_profiles.h"
@@ -17,6 +18,8 @@ struct PeriodResult {
   std::vector<NodeSinkage> compaction;  // of every column visited, by tile
   std::vector<double> energy;           // [J]  compaction energy by source of the load
   bool lowest_volume_yields = false;    // the column is too short for this load
+  // Where the stress came from; none where no column was visited. It has no part in the state.
+  std::optional<StressBackend> stress_backend;
 };
 
 void Write(const PeriodResult& result, StateWriter& writer);

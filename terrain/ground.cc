@@ -41,8 +41,10 @@ Ground::Ground(const SoilMap& soils, const GroundSettings& settings, Undisturbed
       surface_(settings.grid_spacing, settings.mode, undisturbed),
       columns_(soils, {settings.grid_spacing, settings.volume_height, settings.volumes},
                undisturbed,
-               MakeDirectStress({ConcentrationFactors(soils),
-                                 kNearFieldSpacings * settings.grid_spacing, settings.threads})),
+               MakeStressField(settings.stress,
+                               {ConcentrationFactors(soils),
+                                kNearFieldSpacings * settings.grid_spacing, settings.threads},
+                               settings.grid_spacing)),
       clock_(settings.soil_clock),
       flow_(soils, settings.grid_spacing, sources),
       work_(sources) {
@@ -185,6 +187,8 @@ void Ground::CountWork(const PeriodResult& result, double period) {
     work_[source].power = energy / period;
   }
   lowest_volume_yields_ = lowest_volume_yields_ || result.lowest_volume_yields;
+  if (result.stress_backend == StressBackend::kDirect) ++stress_updates_.direct;
+  if (result.stress_backend == StressBackend::kGaussian) ++stress_updates_.gaussian;
 }
 
 const Columns& Ground::LatestColumns() const {

@@ -32,6 +32,12 @@ struct GroundSettings {
   bool sync = false;             // wait for the update at the tick, instead of one tick later
   SurfaceMode mode = SurfaceMode::kFlow;
   int threads = 1;  // of the stress field, at most
+  StressBackend stress = StressBackend::kDirect;
+};
+
+// Soil updates with load by the backend of their stress field, since the object was made.
+struct StressUpdates {
+  std::size_t direct = 0, gaussian = 0;
 };
 
 // Compaction work that a source has done.
@@ -73,6 +79,7 @@ class Ground {
   // Of the heights that are in the surface; a job in flight is not counted.
   const CompactionWork& Work(int source) const { return work_[source]; }
   bool LowestVolumeYields() const { return lowest_volume_yields_; }
+  const StressUpdates& stress_updates() const { return stress_updates_; }
   // [m^3]  displaced since the last tick: DisplacedVolume() = MovedVolume() + VolumeInHand().
   double VolumeInHand() const;
   // These wait for the job in flight.
@@ -139,6 +146,7 @@ class Ground {
   std::vector<LoadGatherer> gatherers_;  // by source
   std::vector<CompactionWork> work_;     // by source
   bool lowest_volume_yields_ = false;
+  StressUpdates stress_updates_;
   std::size_t column_bytes_copied_ = 0;
   std::shared_ptr<WallTimes> times_ = std::make_shared<WallTimes>();
 

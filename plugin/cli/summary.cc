@@ -98,6 +98,9 @@ void WriteSummary(const RunOptions& options, const RunResult& result) {
   json["timestep"] = result.time_step;
   json["soil_clock"] = ground.soil_clock;
   json["threads"] = ground.threads;
+  json["stress"] = ground.stress;
+  json["direct_updates"] = ground.direct_updates;
+  json["gaussian_updates"] = ground.gaussian_updates;
   json["start_time"] = result.start_time;
   json["loaded_state"] = options.load_state;
   json["simulated_time"] = result.simulated_time;
@@ -145,6 +148,8 @@ void PrintSummary(const RunOptions& options, const RunResult& result) {
       "%.0f MB\n",
       RealTimeFactor(result), result.wall_time, result.simulated_time, result.ground.threads,
       result.ground.threads == 1 ? "" : "s", PeakMemory());
+  std::printf("Stress %s: %zu soil updates direct, %zu gaussian\n", result.ground.stress,
+              result.ground.direct_updates, result.ground.gaussian_updates);
   std::printf("Rut volume %.3f m^3, compaction energy %.2f kJ, state hash %s\n",
               result.ground.rut_volume, CompactionEnergy(result) / 1e3,
               Hexadecimal(result.state_hash).c_str());

@@ -33,7 +33,9 @@ class Ground(ctypes.Structure):
                 ("columns", ctypes.c_size_t), ("volumes", ctypes.c_size_t),
                 ("bytes", ctypes.c_size_t), ("volume_bytes", ctypes.c_size_t),
                 ("rut_volume", ctypes.c_double), ("displaced_volume", ctypes.c_double),
-                ("densified_volume", ctypes.c_double), ("berm_volume", ctypes.c_double)]
+                ("densified_volume", ctypes.c_double), ("berm_volume", ctypes.c_double),
+                ("stress", ctypes.c_char_p), ("direct_updates", ctypes.c_size_t),
+                ("gaussian_updates", ctypes.c_size_t)]
 
 
 class Drive:

@@ -32,7 +32,7 @@ class Run(unittest.TestCase):
     def test_prints_a_row_for_each_wheel_and_no_progress_into_a_pipe(self):
         for word in ["wheel_fl", "wheel_fr", "wheel_rl", "wheel_rr", "load [N]", "sinkage [cm]",
                      "rut depth [cm]", "slip [%]", "drawbar pull [N]", "torque [N m]",
-                     "Real-time factor", str(self.folder)]:
+                     "Real-time factor", "Stress direct: ", str(self.folder)]:
             self.assertIn(word, self.done.stdout)
         self.assertNotIn("\r", self.done.stderr)
 
@@ -48,6 +48,9 @@ class Run(unittest.TestCase):
         self.assertEqual(summary["threads"], 2)
         self.assertEqual(summary["timestep"], 0.001)
         self.assertEqual(summary["soil_clock"], 0.01)
+        self.assertEqual(summary["stress"], "direct")
+        self.assertGreater(summary["direct_updates"], 100)
+        self.assertEqual(summary["gaussian_updates"], 0)
         self.assertEqual(summary["soil"], "tilled_yolo_loam")
         self.assertEqual(summary["scene"], "hmmwv_flat")
         self.assertEqual(summary["mujoco_version"], "2.2.2")
@@ -106,13 +109,16 @@ class RunOptions(InAFolder):
 
     def test_settings_reach_the_soil(self):
         done = run(self.folder, "--no-picture", "--sync", "--mode", "compaction", "--soil-clock",
-                   0.005, "--set", "grid_spacing=0.05", "--set", "soil=lete_sand")
+                   0.005, "--set", "grid_spacing=0.05", "--set", "soil=lete_sand",
+                   "--set", "stress=gaussian")
         self.assertEqual(done.returncode, 0, done.stderr)
         summary = summary_of(self.folder)
         self.assertEqual(summary["displaced_volume"], 0)
         self.assertEqual(summary["soil_clock"], 0.005)
         self.assertEqual(summary["grid_spacing"], 0.05)
         self.assertEqual(summary["soil"], "lete_sand")
+        self.assertEqual(summary["stress"], "gaussian")
+        self.assertEqual(summary["direct_updates"], 0)
         self.assertEqual(sorted(os.listdir(self.folder)),
                          [name for name in RESULTS if not name.endswith(".png")])
 

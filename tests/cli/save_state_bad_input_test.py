@@ -92,7 +92,8 @@ class Refused(InAFolder):
                                                              "tilled_yolo_loam"),
                                (["--mode", "compaction"], "mode is compaction here, there flow"),
                                (["--soil-clock", 0.02], "clock is 0.02 here, there 0.01"),
-                               (["--sync"], "sync is 1 here, there 0")):
+                               (["--sync"], "sync is 1 here, there 0"),
+                               (["--set", "stress=auto"], "stress is auto here, there direct")):
             self.assertRefused([*load, *COARSE, *more], "a.state: the state is of another soil: ",
                                sentence)
         self.assertRefused([*load, *COARSE], "a.state: the state is of another soil: ",

@@ -35,6 +35,9 @@ TEST(CApi, GivesNamesAndResults) {
   EXPECT_GT(ground.columns, 0u);
   EXPECT_EQ(ground.volumes, 30 * ground.columns);
   EXPECT_GT(ground.rut_volume, 0);
+  EXPECT_STREQ(ground.stress, "direct");
+  EXPECT_GT(ground.direct_updates, 0u);
+  EXPECT_EQ(ground.gaussian_updates, 0u);
 
   softsoilProfile early, late;
   ASSERT_EQ(softsoil_profile(sim.d.get(), &early), 0);

@@ -41,14 +41,14 @@ std::string Text(const std::string& name, const std::string& data) {
 }
 
 TEST(Settings, AreAllReadFromAModel) {
-  const Settings s =
-      FromModel(Text("soil", "mud") + Text("tire", "slick w=lugs") + Text("ground", "field") +
-                Text("bumps", "0.05, 0.8, 7") + Text("mode", "compaction") +
-                Text("rigid_contact", "remove") + Text("soil_file", " a.xml,\n my b.xml ") +
-                Text("tire_file", "c.xml") + Numeric("grid_spacing", "0.05") +
-                Numeric("volume_height", "0.03") + Numeric("volumes", "20") +
-                Numeric("clock", "0.02") + Numeric("sync", "1") + Numeric("threads", "3") +
-                R"(<tuple name="softsoil_wheels"><element objtype="body" objname="w"/></tuple>)");
+  const Settings s = FromModel(
+      Text("soil", "mud") + Text("tire", "slick w=lugs") + Text("ground", "field") +
+      Text("bumps", "0.05, 0.8, 7") + Text("mode", "compaction") + Text("rigid_contact", "remove") +
+      Text("soil_file", " a.xml,\n my b.xml ") + Text("tire_file", "c.xml") +
+      Numeric("grid_spacing", "0.05") + Numeric("volume_height", "0.03") +
+      Numeric("volumes", "20") + Numeric("clock", "0.02") + Numeric("sync", "1") +
+      Numeric("threads", "3") + Text("stress", "gaussian") +
+      R"(<tuple name="softsoil_wheels"><element objtype="body" objname="w"/></tuple>)");
   EXPECT_EQ(s.soil, "mud");
   EXPECT_EQ(s.tires.of_all, "slick");
   EXPECT_EQ(s.tires.of_body.at("w"), "lugs");
@@ -66,6 +66,7 @@ TEST(Settings, AreAllReadFromAModel) {
   EXPECT_EQ(s.terrain.soil_clock, 0.02);
   EXPECT_TRUE(s.terrain.sync);
   EXPECT_EQ(s.terrain.threads, 3);
+  EXPECT_EQ(s.terrain.stress, StressBackend::kGaussian);
   EXPECT_THAT(s.wheels, ElementsAre("w"));
 }
 
@@ -150,6 +151,8 @@ TEST(Settings, OfAModelAreRefusedWithNameRuleAndValue) {
            {Text("wheels", "w"), "<custom> softsoil_wheels: must be a <tuple>, got a <text>"},
            {Text("mode", "solid"),
             "<custom> softsoil_mode: must be flow or compaction, got \"solid\""},
+           {Text("stress", "fast"),
+            "<custom> softsoil_stress: must be one of direct, gaussian, auto, got \"fast\""},
            {Text("rigid_contact", "no"),
             "<custom> softsoil_rigid_contact: must be warn or remove, got \"no\""},
            {Text("tire", "a b"),

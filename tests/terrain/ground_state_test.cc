@@ -99,6 +99,9 @@ class FailingStress : public StressField {
  public:
   FailingStress(std::unique_ptr<StressField> sound, const bool* fails)
       : sound_(std::move(sound)), fails_(fails) {}
+  StressBackend BackendFor(const ColumnBatch& batch, const SurfaceLoad& load) const override {
+    return sound_->BackendFor(batch, load);
+  }
   void VerticalStress(const ColumnBatch& batch, const SurfaceLoad& load,
                       std::vector<float>* stress) const override {
     if (*fails_) throw std::runtime_error("no stress");
