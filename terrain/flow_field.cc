@@ -49,14 +49,21 @@ int FlowField::Neighbour(int k, int direction) {
   return neighbour;
 }
 
+void FlowField::LoadNeighbours(int k) {
+  if (nodes_[k].is_surrounded) return;
+  for (int d = 0; d < kDirections; ++d) Neighbour(k, d);
+  nodes_[k].is_surrounded = true;
+}
+
 void FlowField::Disturb(int k) {
   const auto add = [this](int n) {
     if (nodes_[n].is_disturbed) return;
     nodes_[n].is_disturbed = true;
     disturbed_.push_back(n);
   };
+  LoadNeighbours(k);
   add(k);
-  for (int d = 0; d < kDirections; ++d) add(Neighbour(k, d));
+  for (const int n : nodes_[k].neighbours) add(n);
 }
 
 void FlowField::Add(int k, double thickness) {
@@ -156,19 +163,21 @@ void FlowField::TakeFromAround(const std::vector<Taker>& takers, int reach) {
 
 // What the neighbours get. Loose soil goes first; firm soil follows where a wall is too high.
 FlowField::Flows FlowField::Outflow(int k) {
+  LoadNeighbours(k);
+  const Node& from = nodes_[k];
+  const Stands& stands = stands_[from.soil];
   Flows drops, flows;
   for (int d = 0; d < kDirections; ++d) {
-    const Node& to = nodes_[Neighbour(k, d)];
-    drops[d] = to.is_covered ? 0 : nodes_[k].Height() - to.Height();
+    const Node& to = nodes_[from.neighbours[d]];
+    drops[d] = to.is_covered ? 0 : from.Height() - to.Height();
   }
-  const Stands& stands = stands_[nodes_[k].soil];
   double wanted = 0;
   for (int d = 0; d < kDirections; ++d) {
     const Stand& stand = stands[d];
     flows[d] = drops[d] > stand.loose_slides ? kShare * (drops[d] - stand.loose) : 0;
     wanted += flows[d];
   }
-  const double there = std::max(nodes_[k].moved, 0.0);
+  const double there = std::max(from.moved, 0.0);
   if (wanted <= there) return flows;
   const double share = there / wanted;
   for (int d = 0; d < kDirections; ++d) {

@@ -60,7 +60,7 @@ class FlowField {
     int soil;
     double change = 0;  // [m]  of the present sweep
     double asked = 0;   // [m]  of it, by takers
-    bool is_covered = false, is_disturbed = false, is_changing = false;
+    bool is_covered = false, is_disturbed = false, is_changing = false, is_surrounded = false;
     std::array<int, kDirections> neighbours = {-1, -1, -1, -1, -1, -1, -1, -1};  // -1: not loaded
 
     double Height() const { return firm + moved; }
@@ -74,6 +74,7 @@ class FlowField {
 
   void Add(int k, double thickness);
   int Neighbour(int k, int direction);
+  void LoadNeighbours(int k);  // so that the node knows all of them
   // First node that is not covered on the way from k.
   int BesideFootprint(int k, const Eigen::Vector2d& direction);
   struct Request {
