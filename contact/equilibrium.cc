@@ -6,6 +6,11 @@
 namespace softsoil {
 namespace {
 
+// Mean over a tread, and what it is made of.
+struct LuggedPressure : ValueAndSlope {
+  double below_lugs, between_lugs;  // [Pa]
+};
+
 // The soil below the lugs and, higher by the height of these, between them.
 struct LuggedPlace {
   LuggedPlace(const TreadCurve& curve, double depth)
@@ -15,24 +20,26 @@ struct LuggedPlace {
         void_share(curve.void_share),
         z_u(below_lugs.z_u) {}
 
-  ValueAndSlope BetweenLugs(double z) const {
-    if (z - height <= between_lugs.z_r) return {0, 0};
-    return PressureAt(between_lugs, z - height);
-  }
-
   PlaceInSoil below_lugs, between_lugs;
   double height, void_share, z_u;
 };
 
-// Mean over the tread once the lug tips are pressed down to z.
-ValueAndSlope PressureAt(const LuggedPlace& place, double z) {
-  const ValueAndSlope lug = PressureAt(place.below_lugs, z), gap = place.BetweenLugs(z);
+// Once the lug tips are pressed down to z.
+LuggedPressure PressureAt(const LuggedPlace& place, double z) {
+  const bool touches = z - place.height >= place.between_lugs.z_r;
+  const ValueAndSlope lug = PressureAt(place.below_lugs, z),
+                      gap = touches ? PressureAt(place.between_lugs, z - place.height)
+                                    : ValueAndSlope{0, 0};
   const double v = place.void_share;
-  return {(1 - v) * lug.value + v * gap.value, (1 - v) * lug.slope + v * gap.slope};
+  return {{(1 - v) * lug.value + v * gap.value, (1 - v) * lug.slope + v * gap.slope},
+          lug.value,
+          gap.value};
 }
 
-template <class Place>
-PressedState Balance(const TireSpring& spring, const Place& place, const PressedPoint& point) {
+// `bearing` is what the soil bears in the balance.
+template <class Place, class Pressure>
+PressedState Balance(const TireSpring& spring, const Place& place, const PressedPoint& point,
+                     Pressure* bearing) {
   // Neither does loose soil bear, nor ground above the undisturbed level until it is pushed down to
   // it. At `low` the tire is through, at `high` it no longer presses at all.
   const double through = std::max({0.0, point.loose, -point.depth});
@@ -40,13 +47,14 @@ PressedState Balance(const TireSpring& spring, const Place& place, const Pressed
   if (through > 0 && low >= high) return {0, 0, point.depth + point.deepening * high, high > 0};
   const double left = point.penetration - point.release * low, bare = point.depth + through;
   const double elastic = SpringPressure(spring, left);
-  if (elastic <= PressureAt(place, bare).value) return {elastic, left, bare, false};
+  *bearing = PressureAt(place, bare);
+  if (elastic <= bearing->value) return {elastic, left, bare, false};
 
   const auto excess = [&](double u) -> ValueAndSlope {
     const double d = point.penetration - point.release * u;
-    const ValueAndSlope bearing = PressureAt(place, point.depth + point.deepening * u);
-    return {SpringPressure(spring, d) - bearing.value,
-            -SpringSlope(spring, d) * point.release - bearing.slope * point.deepening};
+    *bearing = PressureAt(place, point.depth + point.deepening * u);
+    return {SpringPressure(spring, d) - bearing->value,
+            -SpringSlope(spring, d) * point.release - bearing->slope * point.deepening};
   };
   const double u = FallingRoot(excess, low, high, 1e-9 * elastic);
   const double d = point.penetration - point.release * u, z = point.depth + point.deepening * u;
@@ -57,7 +65,8 @@ PressedState Balance(const TireSpring& spring, const Place& place, const Pressed
 
 PressedState Equilibrium(const TireSpring& spring, const PlateCurve& curve,
                          const PressedPoint& point) {
-  return Balance(spring, PlaceAt(curve, point.depth + point.loose), point);
+  ValueAndSlope bearing{};
+  return Balance(spring, PlaceAt(curve, point.depth + point.loose), point, &bearing);
 }
 
 TreadCurve CurveUnder(const Soil& soil, const TireShape& tread) {
@@ -83,11 +92,11 @@ TreadState Equilibrium(const TireSpring& spring, const TreadCurve& curve,
     return {state, state.pressure, state.pressure};
   }
   const LuggedPlace place(curve, point.depth + point.loose);
-  TreadState state{Balance(spring, place, point), 0, 0};
-  const double capacity = PressureAt(place, state.depth).value;
+  LuggedPressure bearing{};
+  TreadState state{Balance(spring, place, point, &bearing), 0, 0};
   // Where it bears more than it must, all of it gives back alike.
-  const double share = capacity > 0 ? state.pressure / capacity : 0;
-  state.between_lugs = share * place.BetweenLugs(state.depth).value;
+  const double share = bearing.value > 0 ? state.pressure / bearing.value : 0;
+  state.between_lugs = share * bearing.between_lugs;
   state.on_lugs = (state.pressure - curve.void_share * state.between_lugs) / (1 - curve.void_share);
   return state;
 }

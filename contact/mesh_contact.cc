@@ -8,7 +8,6 @@
 #include "contact/mesh_sinkage.h"
 #include "contact/node_laws.h"
 #include "terrain/constants.h"
-#include "terrain/earth_pressure.h"
 
 namespace softsoil {
 namespace {
@@ -34,7 +33,7 @@ double Push(double share, double v, double h, double K) {
 // Height [m] of the soil that stands before a face: one grid spacing away from it.
 double HeightBefore(const Vector3d& node_w, const Vector3d& normal_w, const SurfacePatch& patch) {
   const Vector3d away = Vector3d(normal_w.x(), normal_w.y(), 0).normalized() * patch.spacing();
-  return patch.At(node_w.x() + away.x(), node_w.y() + away.y()).height;
+  return patch.HeightAt(node_w.x() + away.x(), node_w.y() + away.y());
 }
 
 }  // namespace
@@ -45,25 +44,27 @@ struct MeshContact::Question {
   const SurfacePatch& patch;
   const double h;  // [s]
   TreadCurves curves;
+  SoilStrengths strengths;
   // Of the node in question.
   const Soil* soil = nullptr;
+  const SoilStrengths::OfSoil* strength = nullptr;
   PlateCurve curve = {};
 
   void SetPlace(const Vector3d& node_w, NodeContact* contact) {
     contact->soil = curves.soils().NumberAt(node_w.x(), node_w.y());
     soil = &curves.soils()[contact->soil];
+    strength = &strengths.In(contact->soil);
     curve = curves.In(contact->soil).below_lugs;
   }
 };
 
 MeshContact::MeshContact(const Tire& tire, double node_spacing)
     : tire_(tire), nodes_(MakeMeshNodes(*tire.mesh, node_spacing)) {
-  Reset();
+  for (std::size_t i = 0; i < nodes_.size(); ++i) memory_.push_back({static_cast<int>(i), {0, 0}});
 }
 
 void MeshContact::Reset() {
-  memory_.clear();
-  for (std::size_t i = 0; i < nodes_.size(); ++i) memory_.push_back({static_cast<int>(i), {0, 0}});
+  for (NodeSlip& s : memory_) s = {s.node, {0, 0}};
 }
 
 void MeshContact::Evaluate(const TirePose& pose, const Surface& surface, const SoilMap& soils,
@@ -77,7 +78,8 @@ void MeshContact::Evaluate(const TirePose& pose, const Surface& surface, const S
   forces->wrench.at_w = pose.centre_w;
   forces->contacts.clear();
   forces->surface.clear();
-  Question question = {pose, forces->patch, h, TreadCurves(soils, tire_.shape)};
+  Question question = {pose, forces->patch, h, TreadCurves(soils, tire_.shape),
+                       SoilStrengths(soils)};
   const Vector3d up_t = pose.frame_w.row(2);
   const double highest = forces->patch.highest() - pose.centre_w.z();
   for (std::size_t i = 0; i < nodes_.size(); ++i) {
@@ -98,13 +100,14 @@ bool MeshContact::Press(int i, Question* asked, NodeContact* contact) const {
   const TirePose& pose = question.pose;
   const Vector3d arm_w = pose.frame_w * nodes_.position_t[i];
   const Vector3d node_w = pose.centre_w + arm_w, normal_w = pose.frame_w * nodes_.normal_t[i];
-  const SurfacePoint ground = question.patch.At(node_w.x(), node_w.y());
+  const double height = question.patch.HeightAt(node_w.x(), node_w.y());
   const double sideways = 1 - normal_w.z() * normal_w.z();
   const double before =
       sideways > kLeastSideways ? HeightBefore(node_w, normal_w, question.patch) - node_w.z() : 0;
-  const bool bears = normal_w.z() < -kLeastDown && ground.height > node_w.z();
+  const bool bears = normal_w.z() < -kLeastDown && height > node_w.z();
   if (!bears && before <= 0) return false;
 
+  const SurfacePoint ground = question.patch.At(node_w.x(), node_w.y());
   asked->SetPlace(node_w, contact);
   contact->node = i;
   contact->point_w = node_w;
@@ -116,8 +119,9 @@ bool MeshContact::Press(int i, Question* asked, NodeContact* contact) const {
     const double K = question.soil->shear.modulus;
     contact->pushed = Push(memory_[i].pushed, v, question.h, K);
     const double damped = Push(contact->pushed, v, ShearLead(std::abs(v), K), K);
-    contact->pressure += sideways * damped *
-                         PassivePressure(question.soil->shear, UnitWeight(*question.soil), before);
+    contact->pressure +=
+        sideways * damped *
+        PassivePressure(question.strength->passive, question.strength->unit_weight, before);
   }
   if (!bears && contact->pushed == 0) return false;
   contact->normal_force_w = -contact->pressure * contact->area * normal_w;
@@ -156,10 +160,11 @@ void MeshContact::Rub(const Question& question, NodeContact* contact) const {
       pose.velocity_w + pose.angular_velocity_w.cross(contact->point_w - pose.centre_w);
   const double v_t = slip_w.dot(tangent_w), v_b = slip_w.dot(binormal_w), K = shear.modulus;
   contact->mobilisation = softsoil::Slip(memory_[i].mobilisation, v_t, v_b, question.h, K);
-  const double lead = ShearLead(std::hypot(v_t, v_b), K);
+  const double lead = ShearLead(std::sqrt(v_t * v_t + v_b * v_b), K);
   const Mobilisation damped = softsoil::Slip(contact->mobilisation, v_t, v_b, lead, K);
   const double strength =
-      ShearStrength(shear, tire_.soil_friction, contact->pressure) * HumpFactor(shear, damped.slip);
+      ShearStrength(question.strength->shear, tire_.soil_friction, contact->pressure) *
+      HumpFactor(shear, damped.slip);
   contact->slip_sinkage = SlipSinkageOf(question, *contact);
   contact->shear_force_w =
       -strength * contact->area * (damped.t * tangent_w + damped.b * binormal_w);
@@ -169,10 +174,11 @@ void MeshContact::Rub(const Question& question, NodeContact* contact) const {
 double MeshContact::SlipSinkageOf(const Question& question, const NodeContact& c) const {
   const Soil& soil = *question.soil;
   const double down = -(question.pose.frame_w * nodes_.normal_t[c.node]).z();
+  if (soil.slip_sinkage == 0 || down <= 0) return 0;
   const double capacity = BearingPressure(question.curve.k_e, question.curve.n, c.depth);
-  if (soil.slip_sinkage == 0 || down <= 0 || capacity <= 0) return 0;
+  if (capacity <= 0) return 0;
   const double pressure = std::min(c.pressure, capacity);
-  const double strength = ShearStrength(soil.shear, tire_.soil_friction, pressure);
+  const double strength = ShearStrength(question.strength->shear, tire_.soil_friction, pressure);
   const double way = c.mobilisation.slip - memory_[c.node].mobilisation.slip;
   return down * SlipSinkage(soil.slip_sinkage, strength / capacity, c.mobilisation, way);
 }

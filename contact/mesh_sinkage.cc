@@ -63,23 +63,23 @@ void Underside::Draw(const TriangleMesh& mesh, const MeshPose& pose, const Surfa
 }
 
 void Underside::Open() {
-  // Each of the two steps once along x and once along y.
-  const auto step = [this](int towards, const auto& choose) {
-    for (const GridNode along : {GridNode{towards, 0}, GridNode{0, towards}}) {
-      before_ = lowest_;
-      for (int a = 0; a < nodes_x_; ++a) {
-        for (int b = 0; b < nodes_y_; ++b) {
-          const int i = a + along.i, j = b + along.j;
-          const bool is_inside = i >= 0 && j >= 0 && i < nodes_x_ && j < nodes_y_;
-          const double next = is_inside ? before_[i * nodes_y_ + j] : kNothingAbove;
-          double& here = lowest_[a * nodes_y_ + b];
-          here = choose(here, next);
-        }
+  const auto at = [this](int a, int b) -> double& { return lowest_[a * nodes_y_ + b]; };
+  // Each of the two steps along x, then along y; in place, so from the side that is not needed.
+  for (const GridNode next : {GridNode{1, 0}, GridNode{0, 1}}) {
+    for (int a = 0; a < nodes_x_; ++a) {
+      for (int b = 0; b < nodes_y_; ++b) {
+        const bool is_last = a + next.i == nodes_x_ || b + next.j == nodes_y_;
+        at(a, b) = is_last ? kNothingAbove : std::max(at(a, b), at(a + next.i, b + next.j));
       }
     }
-  };
-  step(1, [](double a, double b) { return std::max(a, b); });
-  step(-1, [](double a, double b) { return std::min(a, b); });
+  }
+  for (const GridNode next : {GridNode{1, 0}, GridNode{0, 1}}) {
+    for (int a = nodes_x_ - 1; a >= next.i; --a) {
+      for (int b = nodes_y_ - 1; b >= next.j; --b) {
+        at(a, b) = std::min(at(a, b), at(a - next.i, b - next.j));
+      }
+    }
+  }
 }
 
 void Underside::DrawTriangle(const std::array<int, 3>& corners) {

@@ -40,7 +40,7 @@ class Underside {
  private:
   std::vector<Eigen::Vector3d> vertices_g_;  // grid frame: x, y in spacings from the patch's first
                                              // node, z [m] as in the world
-  std::vector<double> lowest_, before_;
+  std::vector<double> lowest_;
   int nodes_x_ = 0, nodes_y_ = 0;
 
   void DrawTriangle(const std::array<int, 3>& corners);

@@ -6,31 +6,37 @@
 namespace softsoil {
 namespace {
 
-// The tire above a grid node.
-struct Above {
-  PressedPoint point;
-  double lowest;  // [m]  of the unloaded tire there, below the undisturbed ground
+// A grid node below the tire, as the wheel sees it.
+struct Below {
+  double radius;    // [m]  of the unloaded tire there
+  double distance;  // [m]  from the spin axis
+  double height;    // [m]  over the spin axis
+  double cosine;    // [-]  of kappa
 };
 
-// At a node at `ground_w` whose surface lies `depth` [m] below the undisturbed ground; false where
-// the tire does not reach it. As the node sinks by u the penetration falls by u cos(kappa).
-bool FindAbove(const TireShape& shape, const TirePose& pose, const Eigen::Vector3d& ground_w,
-               double depth, Above* above) {
+// Of a node at `ground_w`; false where the tire does not reach it.
+bool FindBelow(const TireShape& shape, const TirePose& pose, const Eigen::Vector3d& ground_w,
+               Below* below) {
   const Eigen::Vector3d from_centre = ground_w - pose.centre_w;
   const Eigen::Vector3d axis = pose.frame_w.col(1);
   const double lateral = from_centre.dot(axis);
   const Eigen::Vector3d in_plane = from_centre - lateral * axis;
+  if (in_plane.squaredNorm() >= shape.radius * shape.radius) return false;
   const double distance = in_plane.norm();
   const double radius = RadiusAt(shape, lateral);
   if (distance >= radius || distance <= 0) return false;
   const double cosine = -in_plane.z() / distance;
   if (cosine < kLeastDescent) return false;
-  above->point = {radius - distance, depth, cosine, 1.0};
-  const double upright = 1 - axis.z() * axis.z();
-  const double out_of_tire =
-      std::sqrt(in_plane.z() * in_plane.z() + upright * (radius * radius - distance * distance));
-  above->lowest = depth + (in_plane.z() + out_of_tire) / upright;
+  *below = {radius, distance, in_plane.z(), cosine};
   return true;
+}
+
+// How far [m] below a node the unloaded tire reaches, straight down.
+double Reach(const TirePose& pose, const Below& b) {
+  const double axis_z = pose.frame_w(2, 1), upright = 1 - axis_z * axis_z;
+  const double out_of_tire =
+      std::sqrt(b.height * b.height + upright * (b.radius * b.radius - b.distance * b.distance));
+  return (b.height + out_of_tire) / upright;
 }
 
 bool IsBelowLug(const TireShape& shape, const TirePose& pose, const Eigen::Vector3d& ground_w) {
@@ -72,15 +78,16 @@ void PlasticSinkage(const Tire& tire, const TirePose& pose, const SurfacePatch& 
       const GridNode node{patch.first().i + a, patch.first().j + b};
       const Eigen::Vector3d ground_w(node.i * patch.spacing(), node.j * patch.spacing(),
                                      patch.Height(a, b));
-      Above above;
+      Below below;
+      if (!FindBelow(tire.shape, pose, ground_w, &below)) continue;
       const double by_slip = patch.SlipSinkage(a, b), depth = patch.Sinkage(a, b) - by_slip;
-      if (!FindAbove(tire.shape, pose, ground_w, depth, &above)) continue;
-      above.point.loose = patch.Loose(a, b);
+      // As the node sinks by u the penetration falls by u cos(kappa).
+      const PressedPoint point{below.radius - below.distance, depth, below.cosine, 1,
+                               patch.Loose(a, b)};
       const TreadCurve& curve = curves.In(soils.NumberAt(ground_w.x(), ground_w.y()));
-      const auto left =
-          LeftBehindLug(tire, curve, above.point, IsBelowLug(tire.shape, pose, ground_w));
+      const auto left = LeftBehindLug(tire, curve, point, IsBelowLug(tire.shape, pose, ground_w));
       // Where the tire rises steeply the penetration falls ever faster than by cos(kappa).
-      if (left) sinkage->push_back({node, by_slip + std::min(*left, above.lowest)});
+      if (left) sinkage->push_back({node, by_slip + std::min(*left, depth + Reach(pose, below))});
     }
   }
 }

@@ -139,7 +139,7 @@ void WheelContact::Mobilise(const TirePose& pose, double h, double K, NodeContac
   const double v_t = slip_w.dot(pose.frame_w * nodes_.tangent_t[i]);
   const double v_b = slip_w.dot(pose.frame_w * nodes_.binormal_t[i]);
   contact->mobilisation = softsoil::Slip(mobilisation_[i], v_t, v_b, h, K);
-  const double lead = ShearLead(std::hypot(v_t, v_b), K);
+  const double lead = ShearLead(std::sqrt(v_t * v_t + v_b * v_b), K);
   contact->mobilised = softsoil::Slip(contact->mobilisation, v_t, v_b, lead, K);
 }
 

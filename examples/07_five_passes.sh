@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# A wheel under 27 kN drives itself back and forth over the same ground, five passes in its own rut: each deepens it by
-# less than the one before, and meets less resistance. Madsen (2014) 7.1. Results and picture in build/07_five_passes.
+# A wheel under 27 kN drives itself back and forth over the same ground, six passes in its own rut: the wheel sinks deeper by
+# less than in the one before, and meets less resistance. Madsen (2014) 7.1. Results and picture in build/07_five_passes.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 source tests/setup.sh

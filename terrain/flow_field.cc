@@ -16,6 +16,19 @@ constexpr double kLeastDirection = 1e-6;
 
 }  // namespace
 
+FlowField::FlowField(const CompactedSurface& surface, SoilSlopes slopes)
+    : surface_(surface), slopes_(std::move(slopes)) {
+  for (int soil = 0; soil < slopes_.size(); ++soil) {
+    Stands stands;
+    for (int d = 0; d < kDirections; ++d) {
+      const double way = surface.spacing() * Length(kSteps[d]), flat = kTolerance * way;
+      const double loose = slopes_[soil].repose * way, firm = std::max(loose, slopes_[soil].wall);
+      stands[d] = {loose, loose + flat, firm, firm + flat};
+    }
+    stands_.push_back(stands);
+  }
+}
+
 int FlowField::Find(GridNode node) {
   int& number = numbers_.At(node, -1);
   if (number < 0) {
@@ -36,14 +49,21 @@ int FlowField::Neighbour(int k, int direction) {
   return neighbour;
 }
 
+void FlowField::LoadNeighbours(int k) {
+  if (nodes_[k].is_surrounded) return;
+  for (int d = 0; d < kDirections; ++d) Neighbour(k, d);
+  nodes_[k].is_surrounded = true;
+}
+
 void FlowField::Disturb(int k) {
   const auto add = [this](int n) {
     if (nodes_[n].is_disturbed) return;
     nodes_[n].is_disturbed = true;
     disturbed_.push_back(n);
   };
+  LoadNeighbours(k);
   add(k);
-  for (int d = 0; d < kDirections; ++d) add(Neighbour(k, d));
+  for (const int n : nodes_[k].neighbours) add(n);
 }
 
 void FlowField::Add(int k, double thickness) {
@@ -143,37 +163,37 @@ void FlowField::TakeFromAround(const std::vector<Taker>& takers, int reach) {
 
 // What the neighbours get. Loose soil goes first; firm soil follows where a wall is too high.
 FlowField::Flows FlowField::Outflow(int k) {
-  const double spacing = surface_.spacing();
-  const SoilSlope slope = slopes_[nodes_[k].soil];
-  Flows loose{}, firm{};
+  LoadNeighbours(k);
+  const Node& from = nodes_[k];
+  const Stands& stands = stands_[from.soil];
+  Flows drops, flows;
+  for (int d = 0; d < kDirections; ++d) {
+    const Node& to = nodes_[from.neighbours[d]];
+    drops[d] = to.is_covered ? 0 : from.Height() - to.Height();
+  }
   double wanted = 0;
   for (int d = 0; d < kDirections; ++d) {
-    const int n = Neighbour(k, d);
-    if (nodes_[n].is_covered) continue;
-    const double way = spacing * Length(kSteps[d]), drop = nodes_[k].Height() - nodes_[n].Height();
-    const double stands = slope.repose * way, flat = kTolerance * way;
-    if (drop > stands + flat) loose[d] = kShare * (drop - stands);
-    if (drop > std::max(stands, slope.wall) + flat) {
-      firm[d] = kShare * (drop - std::max(stands, slope.wall));
-    }
-    wanted += loose[d];
+    const Stand& stand = stands[d];
+    flows[d] = drops[d] > stand.loose_slides ? kShare * (drops[d] - stand.loose) : 0;
+    wanted += flows[d];
   }
-  const double there = std::max(nodes_[k].moved, 0.0);
-  if (wanted <= there) return loose;
+  const double there = std::max(from.moved, 0.0);
+  if (wanted <= there) return flows;
   const double share = there / wanted;
-  for (int d = 0; d < kDirections; ++d) loose[d] = share * loose[d] + (1 - share) * firm[d];
-  return loose;
+  for (int d = 0; d < kDirections; ++d) {
+    const Stand& stand = stands[d];
+    const double firm = drops[d] > stand.firm_slides ? kShare * (drops[d] - stand.firm) : 0;
+    flows[d] = share * flows[d] + (1 - share) * firm;
+  }
+  return flows;
 }
 
-void FlowField::Pass(int from, int to, double thickness) {
-  const auto change = [this](int k, double by) {
-    nodes_[k].change += by;
-    if (nodes_[k].is_changing) return;
-    nodes_[k].is_changing = true;
-    changing_.push_back(k);
-  };
-  change(from, -thickness);
-  change(to, thickness);
+void FlowField::Change(int k, double thickness) {
+  Node& node = nodes_[k];
+  node.change += thickness;
+  if (node.is_changing) return;
+  node.is_changing = true;
+  changing_.push_back(k);
 }
 
 void FlowField::Sweep() {
@@ -183,7 +203,9 @@ void FlowField::Sweep() {
     if (nodes_[k].is_covered) continue;
     const Flows flows = Outflow(k);
     for (int d = 0; d < kDirections; ++d) {
-      if (flows[d] > 0) Pass(k, nodes_[k].neighbours[d], flows[d]);
+      if (!(flows[d] > 0)) continue;
+      Change(k, -flows[d]);
+      Change(nodes_[k].neighbours[d], flows[d]);
     }
   }
   disturbed_.clear();

@@ -16,8 +16,7 @@ namespace softsoil {
 // order, and in thicknesses [m] on cells of equal area, so that what one node loses another gains.
 class FlowField {
  public:
-  FlowField(const CompactedSurface& surface, SoilSlopes slopes)
-      : surface_(surface), slopes_(std::move(slopes)) {}
+  FlowField(const CompactedSurface& surface, SoilSlopes slopes);
 
   // The number of a node in this field.
   int Find(GridNode node);
@@ -61,15 +60,21 @@ class FlowField {
     int soil;
     double change = 0;  // [m]  of the present sweep
     double asked = 0;   // [m]  of it, by takers
-    bool is_covered = false, is_disturbed = false, is_changing = false;
+    bool is_covered = false, is_disturbed = false, is_changing = false, is_surrounded = false;
     std::array<int, kDirections> neighbours = {-1, -1, -1, -1, -1, -1, -1, -1};  // -1: not loaded
 
     double Height() const { return firm + moved; }
   };
   using Flows = std::array<double, kDirections>;  // [m]  to the neighbours
+  // The height [m] by which soil may stand above a neighbour, and that above which it slides.
+  struct Stand {
+    double loose, loose_slides, firm, firm_slides;
+  };
+  using Stands = std::array<Stand, kDirections>;
 
   void Add(int k, double thickness);
   int Neighbour(int k, int direction);
+  void LoadNeighbours(int k);  // so that the node knows all of them
   // First node that is not covered on the way from k.
   int BesideFootprint(int k, const Eigen::Vector2d& direction);
   struct Request {
@@ -80,11 +85,12 @@ class FlowField {
   void Ask(const std::vector<int>& givers, double* left, std::vector<Request>* requests);
   void Give(std::vector<Request>* requests);
   Flows Outflow(int k);
-  void Pass(int from, int to, double thickness);
+  void Change(int k, double thickness);
   void Sweep();
 
   CompactedSurface surface_;
   SoilSlopes slopes_;
+  std::vector<Stands> stands_;  // by soil
   std::vector<Node> nodes_;
   NodeTable<int> numbers_;
   std::vector<int> disturbed_, changing_;

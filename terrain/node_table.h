@@ -2,7 +2,7 @@
 #pragma once
 
 #include <algorithm>
-#include <array>
+#include <cstdint>
 #include <vector>
 
 #include "terrain/tile_map.h"
@@ -19,13 +19,9 @@ class NodeTable {
 
   // Of a node that is not there yet: `zero`. To ask again cannot fail, until the table is copied.
   Value& At(GridNode node, const Value& zero) {
-    if (places_.map.size() == 0) FindPlaces();
-    int& place = PlaceOf(node);
-    if (place < 0) {
-      entries_.push_back({node, zero});
-      place = static_cast<int>(entries_.size()) - 1;
-    }
-    return entries_[place].value;
+    if (slots_.places.empty()) MakeSlots(kLeastSlots);
+    const int place = PlaceOf(node);
+    return entries_[place != kNone ? place : Add({node, zero})].value;
   }
 
   // By tile and place in the tile, whatever the order in which they came.
@@ -38,7 +34,7 @@ class NodeTable {
 
   void Clear() {
     entries_.clear();
-    places_.map.Clear();
+    std::fill(slots_.places.begin(), slots_.places.end(), kNone);
   }
   std::size_t MemoryBytes() const { return entries_.size() * sizeof(Entry); }
 
@@ -46,6 +42,7 @@ class NodeTable {
   template <class ReadValue>
   void Read(StateReader& reader, std::size_t bytes, const ReadValue& read_value) {
     Clear();
+    slots_ = Slots();
     for (std::uint64_t left = reader.Count(sizeof(GridNode) + bytes); left > 0; --left) {
       const auto node = reader.Get<GridNode>();
       const bool is_next = entries_.empty() || IsVisitedBefore(entries_.back().node, node);
@@ -55,39 +52,52 @@ class NodeTable {
   }
 
  private:
-  // Where in entries_ a node stands, -1 if it does not. A copy has none: it is made when it is
-  // needed, for most copies are never added to.
-  struct Places {
-    Places() = default;
-    Places(const Places&) {}
-    Places& operator=(const Places&) {
-      map.Clear();
+  static constexpr int kNone = -1;
+  static constexpr std::size_t kLeastSlots = 64;
+
+  // Where in entries_ a node stands: in its own slot or, if others are there, in the next that is
+  // free. A power of two of slots, half of them free at least. A copy has none: they are made when
+  // they are needed, for most copies are never added to.
+  struct Slots {
+    Slots() = default;
+    Slots(const Slots&) {}
+    Slots& operator=(const Slots&) {
+      places.clear();
       return *this;
     }
-    TileMap<std::array<int, kTileSide * kTileSide>> map;
+    std::vector<int> places;
   };
-  // All or none: with some alone a node would get a second entry.
-  void FindPlaces() {
-    try {
-      for (std::size_t k = 0; k < entries_.size(); ++k) {
-        PlaceOf(entries_[k].node) = static_cast<int>(k);
-      }
-    } catch (...) {
-      places_.map.Clear();
-      throw;
+
+  int Add(const Entry& entry) {
+    if (2 * (entries_.size() + 1) > slots_.places.size()) MakeSlots(2 * slots_.places.size());
+    entries_.push_back(entry);
+    return PlaceOf(entry.node) = static_cast<int>(entries_.size()) - 1;
+  }
+
+  void MakeSlots(std::size_t least) {
+    std::size_t count = least;
+    while (count < 2 * entries_.size()) count *= 2;
+    slots_.places = std::vector<int>(count, kNone);
+    for (std::size_t k = 0; k < entries_.size(); ++k) {
+      PlaceOf(entries_[k].node) = static_cast<int>(k);
     }
   }
+
+  // The slot with the place of a node, or the free one where it belongs. Rows of nodes start far
+  // from each other, by the golden ratio; along a row they follow one another.
   int& PlaceOf(GridNode node) {
-    const auto none = [] {
-      std::array<int, kTileSide * kTileSide> places;
-      places.fill(-1);
-      return places;
-    };
-    return places_.map.Touch(TileOf(node), none)[PlaceInTile(node)];
+    const std::uint64_t count = slots_.places.size();
+    const std::uint32_t row = static_cast<std::uint32_t>(node.i) * 2654435769u;
+    for (auto slot = static_cast<std::uint32_t>(row * count >> 32) + node.j;; ++slot) {
+      int& place = slots_.places[slot & (count - 1)];
+      if (place == kNone) return place;
+      const GridNode there = entries_[place].node;
+      if (there.i == node.i && there.j == node.j) return place;
+    }
   }
 
   std::vector<Entry> entries_;  // in the order in which their nodes were touched
-  Places places_;
+  Slots slots_;
 };
 
 }  // namespace softsoil

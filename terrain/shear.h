@@ -22,15 +22,24 @@ struct Shear {
   double residual = 0;  // [-]  K_r of the humped form, 0 to 1
 };
 
+// What the strength of a soil depends on; worked out once where many points are asked about.
+struct Strength {
+  SOFTSOIL_HD Strength(const Shear& soil)
+      : cohesion(soil.cohesion), tan_phi(std::tan(soil.friction_angle)) {}
+
+  double cohesion;  // [Pa]
+  double tan_phi;   // [-]
+};
+
 // Shear strength [Pa] of soil on soil under the pressure sigma [Pa].
-SOFTSOIL_HD inline double MohrCoulomb(const Shear& soil, double sigma) {
-  return soil.cohesion + sigma * std::tan(soil.friction_angle);
+SOFTSOIL_HD inline double MohrCoulomb(const Strength& soil, double sigma) {
+  return soil.cohesion + sigma * soil.tan_phi;
 }
 
 // Largest shear stress [Pa] that a surface of friction coefficient mu_s can pass to soil under
 // the pressure sigma [Pa]: Mohr-Coulomb in the soil or friction on the surface, whichever is less.
 // Algorithm 4.1.4 lines 4 and 5 (line 5 prints tau_max where tau_mc is meant).
-SOFTSOIL_HD inline double ShearStrength(const Shear& soil, double mu_s, double sigma) {
+SOFTSOIL_HD inline double ShearStrength(const Strength& soil, double mu_s, double sigma) {
   if (sigma <= 0) return 0.0;
   const double mohr_coulomb = MohrCoulomb(soil, sigma);
   const double friction = mu_s * sigma;

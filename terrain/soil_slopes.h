@@ -20,6 +20,7 @@ class SoilSlopes {
   // spacing [m] of the grid.
   SoilSlopes(const SoilMap& soils, double spacing);
 
+  int size() const { return static_cast<int>(slopes_.size()); }
   const SoilSlope& operator[](int soil) const { return slopes_[soil]; }
   // The number of the soil at a node. Loose soil counts as the soil that it lies on.
   int SoilAt(GridNode node) const {

@@ -22,15 +22,24 @@ struct Bilinear {
 
 }  // namespace
 
-SurfacePoint SurfacePatch::At(double x, double y) const {
+SurfacePatch::Place SurfacePatch::PlaceOf(double x, double y) const {
   const double gx = x / spacing_ - first_.i, gy = y / spacing_ - first_.j;
   const int a = std::clamp(static_cast<int>(gx), 0, nodes_x_ - 2);
   const int b = std::clamp(static_cast<int>(gy), 0, nodes_y_ - 2);
-  const std::size_t k = static_cast<std::size_t>(a) * nodes_y_ + b;
-  const Bilinear height(&height_[k], &height_[k + nodes_y_], gx - a, gy - b, spacing_);
-  const Bilinear sinkage(&sinkage_[k], &sinkage_[k + nodes_y_], gx - a, gy - b, spacing_);
-  const Bilinear loose(&loose_[k], &loose_[k + nodes_y_], gx - a, gy - b, spacing_);
-  const Bilinear slip(&slip_[k], &slip_[k + nodes_y_], gx - a, gy - b, spacing_);
+  return {static_cast<std::size_t>(a) * nodes_y_ + b, gx - a, gy - b};
+}
+
+double SurfacePatch::HeightAt(double x, double y) const {
+  const auto [k, u, v] = PlaceOf(x, y);
+  return Bilinear(&height_[k], &height_[k + nodes_y_], u, v, spacing_).value;
+}
+
+SurfacePoint SurfacePatch::At(double x, double y) const {
+  const auto [k, u, v] = PlaceOf(x, y);
+  const Bilinear height(&height_[k], &height_[k + nodes_y_], u, v, spacing_);
+  const Bilinear sinkage(&sinkage_[k], &sinkage_[k + nodes_y_], u, v, spacing_);
+  const Bilinear loose(&loose_[k], &loose_[k + nodes_y_], u, v, spacing_);
+  const Bilinear slip(&slip_[k], &slip_[k + nodes_y_], u, v, spacing_);
   return {height.value,
           sinkage.value,
           loose.value,
@@ -142,10 +151,9 @@ bool Surface::Compacts(NodeSinkage compaction) const {
   return tile == nullptr || (*tile->compaction)[PlaceInTile(compaction.node)] != compaction.sinkage;
 }
 
-bool Surface::Deepens(NodeSinkage depth) const {
-  if (mode_ != SurfaceMode::kFlow) return false;
-  const Tile* tile = tiles_.Find(TileOf(depth.node));
-  return (tile == nullptr ? 0 : tile->Sinkage(PlaceInTile(depth.node))) < depth.sinkage;
+bool Surface::Deepens(const Tile* tile, NodeSinkage depth) const {
+  const double sinkage = tile == nullptr ? 0 : tile->Sinkage(PlaceInTile(depth.node));
+  return mode_ == SurfaceMode::kFlow && sinkage < depth.sinkage;
 }
 
 bool Surface::Moves(NodeSoil moved) const {
@@ -158,8 +166,8 @@ void Surface::SetCompaction(NodeSinkage compaction) {
 }
 
 double Surface::DeepenPlastic(NodeSinkage depth) {
-  if (!Deepens(depth)) return 0;
   const Tile* tile = tiles_.Find(TileOf(depth.node));
+  if (!Deepens(tile, depth)) return 0;
   const int place = PlaceInTile(depth.node);
   const double moved = tile == nullptr ? 0 : (*tile->moved)[place];
   const double pushed = depth.sinkage - (tile == nullptr ? 0 : tile->Sinkage(place));
@@ -185,9 +193,11 @@ void Surface::ReserveCompaction(const std::vector<NodeSinkage>& compaction) {
 
 void Surface::ReservePlastic(const std::vector<NodeSinkage>& depths) {
   for (const NodeSinkage& depth : depths) {
-    if (!Deepens(depth)) continue;
+    const Tile* tile = tiles_.Find(TileOf(depth.node));
+    if (!Deepens(tile, depth)) continue;
+    const bool has_loose = tile != nullptr && (*tile->moved)[PlaceInTile(depth.node)] > 0;
     Touch(&Tile::plastic, depth.node);
-    if (Layers(depth.node).moved > 0) Touch(&Tile::moved, depth.node);
+    if (has_loose) Touch(&Tile::moved, depth.node);
   }
 }
 

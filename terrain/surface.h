@@ -58,6 +58,7 @@ class SurfacePatch {
  public:
   // Bilinear (3.2). x, y must lie inside the patch: Covers() tells.
   SurfacePoint At(double x, double y) const;
+  double HeightAt(double x, double y) const;  // [m]  the same height
   bool Covers(double x, double y) const;
 
   double spacing() const { return spacing_; }
@@ -72,6 +73,13 @@ class SurfacePatch {
 
  private:
   friend class Surface;
+  // A cell: place of its least node, and how far beyond, in cells.
+  struct Place {
+    std::size_t k;
+    double u, v;
+  };
+  Place PlaceOf(double x, double y) const;
+
   double spacing_ = 1;
   GridNode first_{0, 0};
   int nodes_x_ = 0, nodes_y_ = 0;
@@ -144,7 +152,7 @@ class Surface {
   Tile MakeTile(TileIndex index) const;
   // Whether a node does not read so already.
   bool Compacts(NodeSinkage compaction) const;
-  bool Deepens(NodeSinkage depth) const;
+  bool Deepens(const Tile* tile, NodeSinkage depth) const;
   bool Moves(NodeSoil moved) const;
   // Where a node is written to.
   double& Touch(Cow<Heights> Tile::*part, GridNode node);

@@ -1,46 +1,59 @@
 // One wheel for one time step: how its parts share the time. The wheel stands in its own rut.
 #include <benchmark/benchmark.h>
 
+#include <variant>
+
 #include "contact/equilibrium.h"
+#include "contact/mesh_contact.h"
+#include "contact/mesh_sinkage.h"
 #include "contact/plastic_sinkage.h"
-#include "contact/soft_wheels.h"
+#include "tests/benchmark/mesh_wheels.h"
 
 namespace softsoil {
 namespace {
 
 struct Standing {
-  Standing(const char* tire_name, double grid_spacing) {
-    Catalogue<Tire> tires = TireCatalogue();
-    tires.AddFolder(SOFTSOIL_SOURCE_DIR "/models/tires");
-    Catalogue<Soil> catalogue = SoilCatalogue();
-    catalogue.AddFolder(SOFTSOIL_SOURCE_DIR "/models/soils");
-    tire = tires.Find(tire_name);
-    soil = catalogue.Find("tilled_yolo_loam");
-    soils = soil;
-    wheel = std::make_unique<WheelContact>(tire, grid_spacing);
-    surface = std::make_unique<Surface>(grid_spacing, SurfaceMode::kFlow,
-                                        [](double, double) { return 0.0; });
-    pose.centre_w = {0, 0, tire.shape.radius - 0.08};
-    pose.frame_w.setIdentity();
+  Standing(const Tire& its_tire, double grid_spacing)
+      : tire(its_tire), wheel(ContactOf(tire, grid_spacing)) {
+    surface = std::make_unique<Surface>(grid_spacing, SurfaceMode::kFlow, Level);
+    pose = PressedIn(tire, 0.08);
     pose.velocity_w = {1, 0, 0};
     pose.angular_velocity_w = {0, 1.1 / tire.shape.radius, 0};
     for (int k = 0; k < 3; ++k) {
-      wheel->Evaluate(pose, *surface, soils, 0.001, &forces);
-      PlasticSinkage(tire, pose, forces.patch, soils, &sinkage);
+      Evaluate();
+      Sink();
       for (const NodeSinkage& s : sinkage) surface->DeepenPlastic(s);
     }
   }
+
+  using Contact = std::variant<WheelContact, MeshContact>;
+  static Contact ContactOf(const Tire& tire, double spacing) {
+    if (tire.mesh != nullptr) return MeshContact(tire, spacing);
+    return WheelContact(tire, spacing);
+  }
+
+  void Evaluate() {
+    std::visit([this](auto& w) { w.Evaluate(pose, *surface, soils, 0.001, &forces); }, wheel);
+  }
+  void Commit() {
+    std::visit([this](auto& w) { w.Commit(forces); }, wheel);
+  }
+  void Sink() {
+    const auto sink = tire.mesh != nullptr ? PlasticSinkageOfMesh : PlasticSinkage;
+    sink(tire, pose, forces.patch, soils, &sinkage);
+  }
+
   Tire tire;
-  Soil soil;
-  SoilMap soils;
-  TirePose pose;
-  std::unique_ptr<WheelContact> wheel;
+  SoilMap soils = TilledLoam();
+  Contact wheel;
   std::unique_ptr<Surface> surface;
+  TirePose pose;
   PatchForces forces;
   std::vector<NodeSinkage> sinkage;
 };
 
-constexpr const char* kTires[] = {"37x12.5R16.5_15psi", "18.4R38_85kPa"};
+const Tire kTires[] = {TruckTire(), AgriculturalTire(), TireNamed("18.4R38_85kPa_lugged"),
+                       MeshWheel(false), MeshWheel(true)};
 
 Standing Wheel(const benchmark::State& state) {
   return Standing(kTires[state.range(0)], state.range(1) * 1e-3);
@@ -56,19 +69,19 @@ void PerNode(benchmark::State& state, const Standing& wheel) {
 
 void BM_Evaluate(benchmark::State& state) {
   Standing w = Wheel(state);
-  for (auto _ : state) w.wheel->Evaluate(w.pose, *w.surface, w.soils, 0.001, &w.forces);
+  for (auto _ : state) w.Evaluate();
   PerNode(state, w);
 }
 
 void BM_Commit(benchmark::State& state) {
   Standing w = Wheel(state);
-  for (auto _ : state) w.wheel->Commit(w.forces);
+  for (auto _ : state) w.Commit();
   PerNode(state, w);
 }
 
 void BM_PlasticSinkage(benchmark::State& state) {
   Standing w = Wheel(state);
-  for (auto _ : state) PlasticSinkage(w.tire, w.pose, w.forces.patch, w.soils, &w.sinkage);
+  for (auto _ : state) w.Sink();
   PerNode(state, w);
 }
 
@@ -91,7 +104,7 @@ void BM_GatherLoad(benchmark::State& state) {
 
 void Wheels(benchmark::internal::Benchmark* b) {
   b->ArgNames({"tire", "grid_mm"});
-  for (int tire : {0, 1}) {
+  for (int tire : {0, 1, 2, 3, 4}) {
     for (int grid : {25, 50}) b->Args({tire, grid});
   }
   b->Unit(benchmark::kMicrosecond);
