@@ -59,6 +59,50 @@ std::vector<int> Faces(const TriangleMesh& mesh) {
   return Parts(neighbours);
 }
 
+// Solid angle [rad] that a triangle covers, seen from a point; positive from behind it. Van
+// Oosterom and Strackee (1983).
+double SolidAngle(const TriangleMesh& mesh, int triangle, const Vector3d& from) {
+  const std::array<int, 3>& corners = mesh.triangles[triangle];
+  const Vector3d a = mesh.vertices[corners[0]] - from, b = mesh.vertices[corners[1]] - from,
+                 c = mesh.vertices[corners[2]] - from;
+  const double la = a.norm(), lb = b.norm(), lc = c.norm();
+  return 2 * std::atan2(a.dot(b.cross(c)),
+                        la * lb * lc + a.dot(b) * lc + b.dot(c) * la + c.dot(a) * lb);
+}
+
+// The parts of a closed mesh that hang together.
+class Solids {
+ public:
+  explicit Solids(const TriangleMesh& mesh) : mesh_(mesh) {
+    const std::vector<int> part_of = Parts(Neighbours(mesh));
+    for (std::size_t t = 0; t < part_of.size(); ++t) {
+      if (part_of[t] == static_cast<int>(solids_.size())) solids_.push_back({});
+      Solid& solid = solids_[part_of[t]];
+      solid.triangles.push_back(static_cast<int>(t));
+      for (const int corner : mesh.triangles[t]) solid.box.extend(mesh.vertices[corner]);
+    }
+  }
+
+  // Whether a point is within one of several, where the soil does not get.
+  bool Cover(const Vector3d& point) const {
+    if (solids_.size() < 2) return false;
+    return std::any_of(solids_.begin(), solids_.end(), [&](const Solid& solid) {
+      if (!solid.box.contains(point)) return false;
+      double angle = 0;
+      for (const int t : solid.triangles) angle += SolidAngle(mesh_, t, point);
+      return angle > 2 * kPi;
+    });
+  }
+
+ private:
+  struct Solid {
+    Eigen::AlignedBox3d box;
+    std::vector<int> triangles;
+  };
+  const TriangleMesh& mesh_;
+  std::vector<Solid> solids_;
+};
+
 // Puts the pieces of triangles into nodes: those of a face in a cube of the spacing.
 class Gatherer {
  public:
@@ -82,9 +126,12 @@ class Gatherer {
     }
   }
 
-  TireNodes Nodes() const {
+  // The nodes whose place is one to be asked for: is_there(a point on the surface, its normal).
+  template <class IsThere>
+  TireNodes Nodes(const IsThere& is_there) const {
     TireNodes nodes;
     for (const Gathered& g : gathered_) {
+      if (!is_there(g.point, g.normal)) continue;
       AddNode(g.moment / g.area, g.area_vector.normalized(), g.area, &nodes);
     }
     return nodes;
@@ -95,7 +142,8 @@ class Gatherer {
   static constexpr double kRounding = 1e-6;    // [-]  a face between two cubes is in the upper one
 
   struct Gathered {
-    Vector3d normal;       // of its first piece
+    Vector3d point;        // [m]  in its first piece
+    Vector3d normal;       // there
     Vector3d area_vector;  // [m^2]
     Vector3d moment;       // [m^3]
     double area;           // [m^2]
@@ -109,18 +157,18 @@ class Gatherer {
     for (int axis = 0; axis < 3; ++axis) {
       cube[axis + 1] = static_cast<int>(std::floor(centroid[axis] / spacing_ + kRounding));
     }
-    Gathered& node = NodeIn(cube, area_vector / area);
+    Gathered& node = NodeIn(cube, centroid, area_vector / area);
     node.area_vector += area_vector;
     node.moment += area * centroid;
     node.area += area;
   }
 
-  Gathered& NodeIn(const Cube& cube, const Vector3d& normal) {
+  Gathered& NodeIn(const Cube& cube, const Vector3d& point, const Vector3d& normal) {
     for (const int i : in_cube_[cube]) {
       if (gathered_[i].normal.dot(normal) >= std::cos(kSmoothTurn)) return gathered_[i];
     }
     in_cube_[cube].push_back(static_cast<int>(gathered_.size()));
-    gathered_.push_back({normal, Vector3d::Zero(), Vector3d::Zero(), 0});
+    gathered_.push_back({point, normal, Vector3d::Zero(), Vector3d::Zero(), 0});
     return gathered_.back();
   }
 
@@ -128,37 +176,6 @@ class Gatherer {
   std::vector<Gathered> gathered_;
   std::map<Cube, std::vector<int>> in_cube_;
 };
-
-// Solid angle [rad] that a triangle covers, seen from a point; positive from behind it. Van
-// Oosterom and Strackee (1983).
-double SolidAngle(const TriangleMesh& mesh, int triangle, const Vector3d& from) {
-  const std::array<int, 3>& corners = mesh.triangles[triangle];
-  const Vector3d a = mesh.vertices[corners[0]] - from, b = mesh.vertices[corners[1]] - from,
-                 c = mesh.vertices[corners[2]] - from;
-  const double la = a.norm(), lb = b.norm(), lc = c.norm();
-  return 2 * std::atan2(a.dot(b.cross(c)),
-                        la * lb * lc + a.dot(b) * lc + b.dot(c) * la + c.dot(a) * lb);
-}
-
-// Whether the soil cannot get to a point, as it is within one of the parts of a closed mesh.
-bool IsInside(const TriangleMesh& mesh, const Vector3d& point) {
-  double angle = 0;
-  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-    angle += SolidAngle(mesh, static_cast<int>(t), point);
-  }
-  return angle > 2 * kPi;
-}
-
-// Without the nodes that lie within another part: the wall of a hollow wheel, a spoke in its rim.
-TireNodes Outside(const TriangleMesh& mesh, double spacing, const TireNodes& nodes) {
-  constexpr double kAway = 0.1;  // [-]  of the spacing: nodes of a curved face lie below it
-  TireNodes outside;
-  for (std::size_t i = 0; i < nodes.size(); ++i) {
-    if (IsInside(mesh, nodes.position_t[i] + kAway * spacing * nodes.normal_t[i])) continue;
-    AddNode(nodes.position_t[i], nodes.normal_t[i], nodes.area[i], &outside);
-  }
-  return outside;
-}
 
 }  // namespace
 
@@ -173,9 +190,12 @@ TireNodes MakeMeshNodes(const TriangleMesh& mesh, double spacing) {
     const std::array<int, 3>& v = mesh.triangles[t];
     gatherer.Add({{mesh.vertices[v[0]], mesh.vertices[v[1]], mesh.vertices[v[2]]}}, faces[t]);
   }
-  const std::vector<int> parts = Parts(Neighbours(mesh));
-  const bool has_several = std::any_of(parts.begin(), parts.end(), [](int p) { return p > 0; });
-  return has_several ? Outside(mesh, spacing, gatherer.Nodes()) : gatherer.Nodes();
+  // The wall of a hollow wheel, a spoke in its rim: what lies within another part meets no soil.
+  const Solids solids(mesh);
+  const double just_outside = 1e-6 * ExtentOf(mesh).Size().maxCoeff();
+  return gatherer.Nodes([&](const Vector3d& point, const Vector3d& normal) {
+    return !solids.Cover(point + just_outside * normal);
+  });
 }
 
 }  // namespace softsoil

@@ -35,9 +35,7 @@ TriangleMesh InGeomFrame(const mjModel* m, int geom) {
   switch (m->geom_type[geom]) {
     case mjGEOM_MESH: return MeshNumber(m, m->geom_dataid[geom]);
     case mjGEOM_BOX: return Box(Vector(m->geom_size + 3 * geom));
-    default:
-      throw InputError(std::string("must be of type mesh or box, got ") +
-                       mjTypeNames[m->geom_type[geom]]);
+    default: throw InputError("must be of type mesh or box");
   }
 }
 
