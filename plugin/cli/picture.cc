@@ -64,7 +64,7 @@ void DrawPictures(const std::string& python, const std::string& folder,
 void Draw(const std::string& python, const std::string& script,
           const std::vector<std::string>& arguments, const std::string& picture) {
   const std::string path = ShareFolder() + "/plot/" + script;
-  std::vector<std::string> words = {python, path};
+  std::vector<std::string> words = {python, "-B", path};  // no byte code in the share folder
   words.insert(words.end(), arguments.begin(), arguments.end());
   const int status = Execute(words, Messages::kShown);
   if (status == 0) return;

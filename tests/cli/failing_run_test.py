@@ -50,8 +50,9 @@ class AFailingRun(InAFolder):
                 out.mkdir()
                 (out / (name + ".part")).symlink_to("/dev/full")
                 done = run(out, seconds=0.05)
-                self.assertFails(done, FAILED, "No space left on device", name)
-                self.assertFalse((out / name).exists())
+                self.assertFails(done, FAILED, f"{name}.part: cannot write: No space left on device")
+                self.assertNotIn("Traceback", done.stderr)
+                self.assertEqual(list(out.glob(f"{name}*")), [])
 
     def test_output_that_nobody_can_read(self):
         with open("/dev/full", "w") as full:

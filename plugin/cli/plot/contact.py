@@ -8,7 +8,6 @@ Reads contact.csv and summary.json of `softsoil run --out FOLDER` and writes con
 import argparse
 import csv
 import json
-import os
 import pathlib
 import sys
 
@@ -19,6 +18,8 @@ import matplotlib.pyplot as plt
 import numpy as np
 from matplotlib.colors import LinearSegmentedColormap, Normalize
 from matplotlib.ticker import MaxNLocator
+
+import picture_file
 
 MOST_WHEELS = 4  # in one picture
 PRESSURE_COLOURS = LinearSegmentedColormap.from_list(
@@ -271,9 +272,7 @@ def main():
     parser.add_argument("--wheel", action="append", default=[], metavar="NAME",
                         help=f"wheel to draw, once for each; else the first {MOST_WHEELS}")
     given = parser.parse_args()
-    part = given.folder / "contact.png.part"
-    draw(given.folder, given.time, given.wheel).savefig(part, format="png", dpi=130)
-    os.replace(part, given.folder / "contact.png")
+    picture_file.save(draw(given.folder, given.time, given.wheel), given.folder / "contact.png", dpi=130)
 
 
 if __name__ == "__main__":

@@ -8,7 +8,6 @@ a wong_reece.csv, the rigid wheel of Wong and Reece is drawn beside, dashed.
 """
 import csv
 import json
-import os
 import pathlib
 import sys
 
@@ -18,6 +17,8 @@ matplotlib.use("Agg")
 import matplotlib.pyplot as plt
 import numpy as np
 from matplotlib.lines import Line2D
+
+import picture_file
 
 GREEN, RUST, BLUE, GREY = "#3f7d3a", "#b4552d", "#2f6690", "#6b6b6b"
 LOW_TO_HIGH = ["#e0a458", "#b4552d", "#4a2c2a"]
@@ -62,10 +63,8 @@ def title_of(summary):
 
 
 def save(figure, folder, name):
-    part = folder / (name + ".part")
-    figure.savefig(part, format="png", dpi=150)
+    picture_file.save(figure, folder / name, dpi=150)
     plt.close(figure)
-    os.replace(part, folder / name)
 
 
 class Curves:

@@ -13,6 +13,8 @@ import matplotlib
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt
 
+import picture_file
+
 COLOURS = {"mujoco": "#6b6b6b", "contact": "#b4552d", "flow": "#e0a458", "waiting": "#d9d2c5", "results": "#a8bcc9",
            "stress": "#2f6690", "compaction": "#3f7d3a"}
 NAMES = {"mujoco": "MuJoCo", "waiting": "waiting for the soil update"}
@@ -47,7 +49,7 @@ def main():
         sys.exit(__doc__)
     folder = pathlib.Path(sys.argv[1])
     summary = json.loads((folder / "summary.json").read_text())
-    draw(summary["profile"], summary).savefig(folder / "profile.png", dpi=120)
+    picture_file.save(draw(summary["profile"], summary), folder / "profile.png", dpi=120)
 
 
 if __name__ == "__main__":

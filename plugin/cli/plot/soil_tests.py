@@ -6,7 +6,6 @@ Reads the report of `softsoil soil` with plate-sinkage tests, shear tests or bot
 """
 import json
 import math
-import os
 import sys
 
 import matplotlib
@@ -14,6 +13,8 @@ import matplotlib
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt
 import numpy as np
+
+import picture_file
 
 COLOURS = ["#7b3022", "#c8782a", "#3f7f8c", "#6a5a9e", "#4e8a3a", "#b03a6a"]
 MARKERS = ["o", "s", "^", "D", "v", "P"]
@@ -176,9 +177,7 @@ def main():
         sys.exit(__doc__)
     with open(sys.argv[1]) as file:
         report = json.load(file)
-    part = sys.argv[2] + ".part"
-    draw(report).savefig(part, format="png", dpi=160)
-    os.replace(part, sys.argv[2])
+    picture_file.save(draw(report), sys.argv[2], dpi=160)
 
 
 if __name__ == "__main__":

@@ -6,7 +6,6 @@ Reads terrain.npy, wheels.csv and summary.json of `softsoil run --out FOLDER` an
 """
 import csv
 import json
-import os
 import pathlib
 import sys
 
@@ -20,6 +19,8 @@ from matplotlib.patheffects import Normal, Stroke
 from matplotlib.ticker import MaxNLocator, MultipleLocator
 from matplotlib.transforms import ScaledTranslation
 from mpl_toolkits.axes_grid1 import make_axes_locatable
+
+import picture_file
 
 # From undisturbed soil to the bottom of the deepest rut; lightness falls steadily.
 SOIL_COLOURS = LinearSegmentedColormap.from_list(
@@ -150,9 +151,7 @@ def main():
     if len(sys.argv) != 2:
         sys.exit(__doc__)
     folder = pathlib.Path(sys.argv[1])
-    part = folder / "terrain.png.part"
-    draw(folder).savefig(part, format="png", dpi=160, bbox_inches="tight")
-    os.replace(part, folder / "terrain.png")
+    picture_file.save(draw(folder), folder / "terrain.png", dpi=160, bbox_inches="tight")
 
 
 if __name__ == "__main__":

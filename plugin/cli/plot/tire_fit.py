@@ -5,7 +5,6 @@ Usage: python3 tire_fit.py FITS.json PICTURE.png
 One panel per inflation pressure: the loads above, the errors of the fits below.
 """
 import json
-import os
 import pathlib
 import sys
 
@@ -14,6 +13,8 @@ import matplotlib
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt
 import numpy as np
+
+import picture_file
 
 COLOURS = {"linear": "#4477aa", "quadratic": "#66ccee", "linear + root": "#aa3377",
            "root": "#228833", "cubic": "#ccbb44"}  # told apart by the colour-blind too
@@ -93,10 +94,7 @@ def draw(fits):
 def main():
     if len(sys.argv) != 3:
         sys.exit(__doc__)
-    picture = pathlib.Path(sys.argv[2])
-    part = picture.with_name(picture.name + ".part")
-    draw(json.loads(pathlib.Path(sys.argv[1]).read_text())).savefig(part, format="png", dpi=160)
-    os.replace(part, picture)
+    picture_file.save(draw(json.loads(pathlib.Path(sys.argv[1]).read_text())), sys.argv[2], dpi=160)
 
 
 if __name__ == "__main__":

@@ -7,7 +7,6 @@ writes wong_reece.png.
 """
 import csv
 import json
-import os
 import pathlib
 import sys
 
@@ -16,6 +15,8 @@ import matplotlib
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt
 import numpy as np
+
+import picture_file
 
 FORCES = {"thrust [N]": ("thrust", "#1f6f8b"),
           "motion_resistance [N]": ("motion resistance", "#c2401f"),
@@ -145,9 +146,7 @@ def main():
     if len(sys.argv) != 2:
         sys.exit(__doc__)
     folder = pathlib.Path(sys.argv[1])
-    part = folder / "wong_reece.png.part"
-    draw(folder).savefig(part, format="png", dpi=140)
-    os.replace(part, folder / "wong_reece.png")
+    picture_file.save(draw(folder), folder / "wong_reece.png", dpi=140)
 
 
 if __name__ == "__main__":
