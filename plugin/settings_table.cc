@@ -70,6 +70,13 @@ TireNames ParseTires(const std::string& text) {
   return tires;
 }
 
+// What `parse` makes of a text that is not kNone.
+template <class Parse>
+auto OrNone(const std::string& text, const Parse& parse) -> decltype(parse(text)) {
+  if (text == kNone) return {};
+  return parse(text);
+}
+
 std::vector<RegionNames> ParseRegions(const std::string& text) {
   std::vector<RegionNames> regions;
   if (text == kNone) return regions;
@@ -144,10 +151,10 @@ const std::vector<Setting>& SettingTable() {
        [](Settings& s, const V& v) { s.bumps = ParseBumps(v.text); }},
       {"wheels", kBodies, kNoLimits, "", "found by their geoms and hinges", "bodies with a tire",
        [](Settings& s, const V& v) { s.wheels = v.names; }},
-      {"shapes", kText, kNoLimits, "", "none",
+      {"shapes", kText, kNoLimits, "", kNone,
        "geoms, meshes or boxes, that meet the soil with their own surface: in place of a wheel's "
        "tire, rigid unless that is named, or as plate, blade or belly",
-       [](Settings& s, const V& v) { s.shapes = Entries(v.text); }},
+       [](Settings& s, const V& v) { s.shapes = OrNone(v.text, &Entries); }},
       {"mode", kText, kNoLimits, "", "flow",
        "how the surface sinks: flow, or compaction alone as in the thesis",
        [](Settings& s, const V& v) {
@@ -157,10 +164,10 @@ const std::vector<Setting>& SettingTable() {
       {"rigid_contact", kText, kNoLimits, "", "warn",
        "what to do if wheels also touch the rigid plane: warn or remove",
        [](Settings& s, const V& v) { s.remove_rigid_contact = Choose(v.text, "warn", "remove"); }},
-      {"soil_file", kText, kNoLimits, "", "none", "XML files with more soils",
-       [](Settings& s, const V& v) { s.soil_files = Files(v.text); }},
-      {"tire_file", kText, kNoLimits, "", "none", "XML files with more tires",
-       [](Settings& s, const V& v) { s.tire_files = Files(v.text); }},
+      {"soil_file", kText, kNoLimits, "", kNone, "XML files with more soils",
+       [](Settings& s, const V& v) { s.soil_files = OrNone(v.text, &Files); }},
+      {"tire_file", kText, kNoLimits, "", kNone, "XML files with more tires",
+       [](Settings& s, const V& v) { s.tire_files = OrNone(v.text, &Files); }},
       {"grid_spacing", kNumber, kGridSpacingLimits, "m", "0.025", "spacing of the soil columns",
        [](Settings& s, const V& v) { s.terrain.grid_spacing = v.number; }},
       {"volume_height", kNumber, kVolumeHeightLimits, "m", "0.025", "height of a soil volume",

@@ -51,6 +51,10 @@ SoilRegion RegionOf(const mjModel* m, const GroundPlane& ground, const std::stri
   const Frame box = FrameAt(m->site_pos + 3 * site, m->site_quat + 4 * site);
   const Vector3d half = Vector(m->site_size + 3 * site);
 
+  if (!box.position.allFinite() || !box.orientation.allFinite() || !half.allFinite()) {
+    throw InputError(in_words + " must have a finite place and size");
+  }
+
   const double along = std::abs(box.orientation.col(2).dot(ground.normal_w));
   const double tilt = std::acos(std::min(1.0, along)) * kDegrees;
   if (tilt > kMostTiltDegrees) {

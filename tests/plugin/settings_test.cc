@@ -116,6 +116,14 @@ TEST(Settings, MayHaveRegionsOfOtherSoilsOrNone) {
   EXPECT_TRUE(s.regions.empty());
 }
 
+TEST(Settings, MayHaveNoShapesNorFiles) {
+  Settings s;
+  Override("shapes=belly soil_file=a.xml tire_file=b.xml", &s);
+  EXPECT_EQ(s.shapes.size() + s.soil_files.size() + s.tire_files.size(), 3u);
+  Override("shapes=none soil_file=none tire_file=none", &s);
+  EXPECT_EQ(s.shapes.size() + s.soil_files.size() + s.tire_files.size(), 0u);
+}
+
 TEST(Settings, MayHaveBumpsWithoutASeedOrNone) {
   const Settings s = FromText("bumps=0.1,2");
   EXPECT_EQ(s.bumps.height, 0.1);

@@ -162,7 +162,7 @@ TEST(Shapes, ThatAreNoWheelsAreRigidUnlessTheirTireIsNamed) {
 }
 
 TEST(Shapes, AreRefusedIfTheyCannotBe) {
-  EXPECT_EQ(Refusal("none"), "softsoil_shapes: the model has no geom \"none\"");
+  EXPECT_EQ(Refusal("spade"), "softsoil_shapes: the model has no geom \"spade\"");
   EXPECT_EQ(Refusal("knob"), "softsoil_shapes: geom \"knob\": must be of type mesh or box");
   EXPECT_EQ(Refusal("wall"),
             "softsoil_shapes: geom \"wall\" is fixed to the world: its body must be able to move");
