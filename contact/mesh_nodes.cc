@@ -46,9 +46,10 @@ void AddNode(const Vector3d& position, const Vector3d& normal, double area, Tire
   nodes->area.push_back(area);
 }
 
+using TriangleNeighbours = std::vector<std::array<int, 3>>;
+
 // By triangle the face that it is of: no edge within a face turns by more than kSmoothTurn.
-std::vector<int> Faces(const TriangleMesh& mesh) {
-  std::vector<std::array<int, 3>> neighbours = Neighbours(mesh);
+std::vector<int> Faces(const TriangleMesh& mesh, TriangleNeighbours neighbours) {
   for (std::size_t t = 0; t < neighbours.size(); ++t) {
     const Vector3d normal = AreaVector(mesh, static_cast<int>(t)).normalized();
     for (int& next : neighbours[t]) {
@@ -73,8 +74,8 @@ double SolidAngle(const TriangleMesh& mesh, int triangle, const Vector3d& from) 
 // The parts of a closed mesh that hang together.
 class Solids {
  public:
-  explicit Solids(const TriangleMesh& mesh) : mesh_(mesh) {
-    const std::vector<int> part_of = Parts(Neighbours(mesh));
+  Solids(const TriangleMesh& mesh, const TriangleNeighbours& neighbours) : mesh_(mesh) {
+    const std::vector<int> part_of = Parts(neighbours);
     for (std::size_t t = 0; t < part_of.size(); ++t) {
       if (part_of[t] == static_cast<int>(solids_.size())) solids_.push_back({});
       Solid& solid = solids_[part_of[t]];
@@ -184,14 +185,15 @@ TireNodes MakeMeshNodes(const TriangleMesh& mesh, double spacing) {
     throw InputError("the mesh must have at most " + std::to_string(kMostNodes) +
                      " nodes, got more: the grid spacing is too fine for its area");
   }
-  const std::vector<int> faces = Faces(mesh);
+  const TriangleNeighbours neighbours = Neighbours(mesh);
+  const std::vector<int> faces = Faces(mesh, neighbours);
   Gatherer gatherer(spacing);
   for (std::size_t t = 0; t < faces.size(); ++t) {
     const std::array<int, 3>& v = mesh.triangles[t];
     gatherer.Add({{mesh.vertices[v[0]], mesh.vertices[v[1]], mesh.vertices[v[2]]}}, faces[t]);
   }
   // The wall of a hollow wheel, a spoke in its rim: what lies within another part meets no soil.
-  const Solids solids(mesh);
+  const Solids solids(mesh, neighbours);
   const double just_outside = 1e-6 * ExtentOf(mesh).Size().maxCoeff();
   return gatherer.Nodes([&](const Vector3d& point, const Vector3d& normal) {
     return !solids.Cover(point + just_outside * normal);

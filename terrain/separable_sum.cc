@@ -9,8 +9,6 @@ namespace {
 
 constexpr float kNothing = 11;  // exp(-11) = 2e-5 counts as nothing
 
-int RoundUp(int n, int unit) { return (n + unit - 1) / unit * unit; }
-
 // Rows within the band around the nodes j0 to j1, as first and one past the last.
 struct RowRange {
   int first, last;
@@ -117,7 +115,7 @@ Bell Bells::At(int m) const {
 }
 
 void AddSum(const Sources& sources, const Bell& bell, const Target& target) {
-  const int width = RoundUp(target.nx, kSumLanes);
+  const int width = InSumLanes(target.nx);
   std::vector<float> sums(sources.rows.size() * 2 * width);
   SumAlongX(sources, bell, width, sums.data(), RowsNear(sources, 0, target.ny - 1, bell.band));
   SumAlongY(sources, bell, width, sums.data(), target);

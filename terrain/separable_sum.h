@@ -7,6 +7,8 @@
 namespace softsoil {
 
 constexpr int kSumLanes = 16;  // nodes along x and along y that are dealt with together
+// Nodes rounded up to whole lanes.
+constexpr int InSumLanes(int nodes) { return (nodes + kSumLanes - 1) / kSumLanes * kSumLanes; }
 
 // exp(-d^2 / L^2), L^2 = 2^(m / 2), and d times that, for whole distances d. Lengths in grid
 // spacings.

@@ -37,7 +37,7 @@ StressPatch MakePatch(const ColumnBatch& batch, const Box& box, Places::const_it
   patch.i0 = box.i0;
   patch.j0 = box.j0;
   patch.nx = box.nx();
-  patch.ny = (box.ny() + kSumLanes - 1) / kSumLanes * kSumLanes;
+  patch.ny = InSumLanes(box.ny());
   patch.column.assign(std::size_t(patch.nx) * patch.ny, -1);
   patch.top = patch.bottom = batch.z[std::size_t(begin->column) * batch.volumes];
   for (auto p = begin; p != end; ++p) {
